@@ -6,31 +6,39 @@
 #include <stddef.h>
 #include <stdio.h>
 
+enum { BASE_CSV_LONGEST_ROW = 1 << 24 }; /* bytes; a longer row is refused */
+
 typedef struct base_csv {
     FILE *stream;
     const char *name; /* for diagnostics: a path or "standard input" */
-    long line;        /* of the current row, from 1 */
+    long line;        /* where the current row begins, from 1 */
     size_t columns;   /* of the header */
-    char **header;
-    char *row;        /* the current row as read, without its line end */
-    char **fields;    /* of the current row; point into a copy */
-    size_t *lengths;
-    /* buffers of the reader */
-    char *buffer, *copy;
-    size_t capacity, copy_capacity;
+    char **header;    /* names, without quotes and surrounding blanks */
+    char *row;        /* the current row as read, without its line end, NUL-terminated */
     size_t row_length;
+    char **fields; /* of the current row, without quotes, NUL-terminated */
+    size_t *lengths;
+    /* of the reader */
+    long next_line;
+    size_t field_count, field_capacity;
+    size_t *starts;
+    char *copy;
+    size_t row_capacity;
 } base_csv;
 
-/* Reads the header. False after one line: empty input, duplicate names. */
+/* Reads the header. False after one line: empty input, duplicate names, bad quotes; close
+ * it then too. A byte order mark is skipped. Quotes as in RFC 4180. */
 bool base_csv_open(base_csv *csv, FILE *stream, const char *name);
 /* Column of that name or -1. */
 int base_csv_column(const base_csv *csv, const char *name);
 /* Next row: 1, 0 at the end, -1 after one line that names the file and line (wrong number of
- * fields, unterminated quote, read error). Blank lines are skipped; CRLF is accepted. */
+ * fields, unterminated quote, NUL byte, read error). Blank lines are skipped; CRLF is accepted. */
 int base_csv_next(base_csv *csv);
 /* Field of the current row as a finite number; false after one line that names file, line and
  * column and what was expected. */
 bool base_csv_f64(const base_csv *csv, int column, double *value);
+/* The line that says so: "NAME, line N, column C: expected EXPECTED, found "FIELD"". */
+void base_csv_error(const base_csv *csv, int column, const char *expected);
 void base_csv_close(base_csv *csv);
 
 #endif

@@ -31,8 +31,9 @@ typedef struct base_usage {
     const char *text;     /* a paragraph for --help */
 } base_usage;
 
-/* Parses argv[1..]; positional arguments are moved to the front of argv and counted in
- * *positional (NULL: none allowed). Returns -1 to go on, or the exit status: BASE_DONE after
+/* Parses argv[1..]; positional arguments are moved to argv[1..*positional] (positional NULL: none
+ * allowed). An option given twice, an empty value and NaN for a number are refused. Returns -1 to
+ * go on, or the exit status: BASE_DONE after
  * --help was printed, BASE_USAGE after one line about what is wrong. */
 int base_parse_options(int argc, char **argv, const base_usage *usage, const base_option *options,
                        size_t option_count, int *positional);

@@ -1,0 +1,128 @@
+#include "file.h"
+
+#include "text.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const char *source_root = SGFIT_SOURCE_ROOT;
+
+const char *base_source_root(void)
+{
+    return source_root;
+}
+
+void base_set_source_root(const char *path)
+{
+    source_root = path;
+}
+
+char *base_join(const char *folder, const char *name)
+{
+    size_t length = strlen(folder);
+    const char *slash = length > 0 && folder[length - 1] == '/' ? "" : "/";
+    size_t size = length + strlen(name) + 2;
+    char *path = malloc(size);
+    if (path)
+        snprintf(path, size, "%s%s%s", folder, slash, name);
+    return path;
+}
+
+static bool is_directory(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+bool base_make_directory(const char *path)
+{
+    char *partial = strdup(path);
+    if (!partial)
+        return false;
+    int reason = *path ? 0 : ENOENT;
+    for (char *p = partial; !reason; p++) {
+        if (*p != '/' && *p != '\0')
+            continue;
+        bool last = *p == '\0';
+        *p = '\0';
+        if (p > partial && mkdir(partial, 0777) != 0 && !is_directory(partial))
+            reason = errno == EEXIST ? ENOTDIR : errno;
+        if (last)
+            break;
+        *p = '/';
+    }
+    free(partial);
+    if (reason)
+        base_error("cannot create directory %s: %s", path, strerror(reason));
+    return reason == 0;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+static bool ends_in(const char *name, const char *suffix)
+{
+    size_t length = strlen(name), tail = strlen(suffix);
+    return length >= tail && strcmp(name + length - tail, suffix) == 0;
+}
+
+bool base_list(const char *folder, const char *suffix, char ***names, size_t *count)
+{
+    *names = NULL;
+    *count = 0;
+    DIR *directory = opendir(folder);
+    if (!directory) {
+        base_error("cannot read directory %s: %s", folder, strerror(errno));
+        return false;
+    }
+    int reason = 0;
+    size_t capacity = 0;
+    for (;;) {
+        errno = 0;
+        struct dirent *entry = readdir(directory);
+        if (!entry) {
+            reason = errno;
+            break;
+        }
+        /* Hidden files are editors' business, and unfinished output ends in .part. */
+        if (entry->d_name[0] == '.' || !ends_in(entry->d_name, suffix))
+            continue;
+        if (*count == capacity) {
+            capacity = capacity ? 2 * capacity : 32;
+            char **grown = realloc(*names, capacity * sizeof **names);
+            if (!grown) {
+                reason = ENOMEM;
+                break;
+            }
+            *names = grown;
+        }
+        if (!((*names)[*count] = strdup(entry->d_name))) {
+            reason = ENOMEM;
+            break;
+        }
+        ++*count;
+    }
+    closedir(directory);
+    if (reason) {
+        base_list_free(*names, *count);
+        *names = NULL;
+        *count = 0;
+        base_error("cannot read directory %s: %s", folder, strerror(reason));
+        return false;
+    }
+    if (*count > 1)
+        qsort(*names, *count, sizeof **names, compare_names);
+    return true;
+}
+
+void base_list_free(char **names, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        free(names[i]);
+    free(names);
+}

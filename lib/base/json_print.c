@@ -1,0 +1,146 @@
+#include "json.h"
+
+#include "text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* cJSON's printer is replaced whole: it puts tabs, breaks no array and rounds numbers. */
+
+enum { WIDTH = 100 }; /* an array of plain values that fits this stays on its line */
+
+typedef struct text_buffer {
+    char *bytes;
+    size_t used, capacity;
+    bool failed;
+} text_buffer;
+
+static void put(text_buffer *out, const char *bytes, size_t count)
+{
+    if (out->failed)
+        return;
+    if (out->capacity - out->used < count + 1) {
+        size_t capacity = 2 * out->capacity + count + 256;
+        char *grown = realloc(out->bytes, capacity);
+        if (!grown) {
+            out->failed = true;
+            return;
+        }
+        out->bytes = grown;
+        out->capacity = capacity;
+    }
+    memcpy(out->bytes + out->used, bytes, count);
+    out->used += count;
+    out->bytes[out->used] = '\0';
+}
+
+static void put_text(text_buffer *out, const char *text)
+{
+    put(out, text, strlen(text));
+}
+
+static void put_break(text_buffer *out, int depth)
+{
+    put_text(out, "\n");
+    for (int i = 0; i < depth; i++)
+        put_text(out, "  ");
+}
+
+static void put_string(text_buffer *out, const char *text)
+{
+    put_text(out, "\"");
+    for (const char *p = text ? text : ""; *p; p++) {
+        char escape[8];
+        if (*p == '"' || *p == '\\')
+            snprintf(escape, sizeof escape, "\\%c", *p);
+        else if (*p == '\n')
+            strcpy(escape, "\\n");
+        else if (*p == '\t')
+            strcpy(escape, "\\t");
+        else if ((unsigned char)*p < 0x20)
+            snprintf(escape, sizeof escape, "\\u%04x", (unsigned)(unsigned char)*p);
+        else
+            snprintf(escape, sizeof escape, "%c", *p);
+        put_text(out, escape);
+    }
+    put_text(out, "\"");
+}
+
+static void put_plain(text_buffer *out, const cJSON *item)
+{
+    char number[BASE_NUMBER_SIZE];
+    if (cJSON_IsString(item))
+        put_string(out, item->valuestring);
+    else if (cJSON_IsRaw(item))
+        put_text(out, item->valuestring);
+    else if (cJSON_IsNumber(item) && isfinite(item->valuedouble))
+        put_text(out, base_shortest_f64(item->valuedouble, number));
+    else if (cJSON_IsNumber(item))
+        put_string(out, base_shortest_f64(item->valuedouble, number));
+    else
+        put_text(out, cJSON_IsTrue(item) ? "true" : cJSON_IsFalse(item) ? "false" : "null");
+}
+
+static bool is_nested(const cJSON *item)
+{
+    return cJSON_IsArray(item) || cJSON_IsObject(item);
+}
+
+/* The array on one line; false, with nothing written, where it does not fit or is nested. */
+static bool put_short_array(text_buffer *out, const cJSON *array)
+{
+    size_t begun = out->used, line = begun;
+    while (line > 0 && out->bytes[line - 1] != '\n')
+        line--;
+    put_text(out, "[");
+    for (const cJSON *item = array->child; item; item = item->next) {
+        if (!is_nested(item)) {
+            put_plain(out, item);
+            put_text(out, item->next ? ", " : "");
+        }
+        if (is_nested(item) || out->used - line >= WIDTH) {
+            out->used = begun;
+            return false;
+        }
+    }
+    put_text(out, "]");
+    return true;
+}
+
+static void put_value(text_buffer *out, const cJSON *item, int depth)
+{
+    if (!is_nested(item)) {
+        put_plain(out, item);
+        return;
+    }
+    bool object = cJSON_IsObject(item);
+    if (!object && put_short_array(out, item))
+        return;
+    put_text(out, object ? "{" : "[");
+    for (const cJSON *child = item->child; child; child = child->next) {
+        put_break(out, depth + 1);
+        if (object) {
+            put_string(out, child->string);
+            put_text(out, ": ");
+        }
+        put_value(out, child, depth + 1);
+        put_text(out, child->next ? "," : "");
+    }
+    if (item->child)
+        put_break(out, depth);
+    put_text(out, object ? "}" : "]");
+}
+
+char *base_json_print(const cJSON *root)
+{
+    text_buffer out = {0};
+    put_value(&out, root, 0);
+    put_text(&out, "\n");
+    if (out.failed) {
+        free(out.bytes);
+        return NULL;
+    }
+    return out.bytes;
+}
