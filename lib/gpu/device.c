@@ -1,0 +1,219 @@
+/* Choosing and opening a device. */
+#include "internal.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool contains(const char *text, const char *part)
+{
+    size_t length = strlen(part);
+    for (; *text; text++) {
+        size_t i = 0;
+        while (i < length && text[i] &&
+               tolower((unsigned char)text[i]) == tolower((unsigned char)part[i]))
+            i++;
+        if (i == length)
+            return true;
+    }
+    return length == 0;
+}
+
+/* Smaller is better; -1 where it is not what was asked for. */
+static int rank(const gpu_device_options *options, const VkPhysicalDeviceProperties *properties,
+                const VkPhysicalDeviceDriverProperties *driver)
+{
+    if (options->compile_for)
+        return driver->driverID == VK_DRIVER_ID_MESA_RADV ? 0 : -1;
+    if (options->device && !contains(properties->deviceName, options->device) &&
+        !contains(driver->driverName, options->device))
+        return -1;
+    switch (properties->deviceType) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        return 0;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+        return 1;
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+        return 3;
+    default:
+        return 2;
+    }
+}
+
+static gpu_status choose_device(gpu_device *device, const gpu_device_options *options)
+{
+    VkPhysicalDevice devices[GPU_MAX_DEVICES];
+    uint32_t count;
+    gpu_status status = gpu_enumerate(device->instance, devices, &count);
+    if (status != GPU_OK)
+        return status;
+    int best = -1;
+    for (uint32_t i = 0; i < count; i++) {
+        VkPhysicalDeviceProperties2 properties;
+        VkPhysicalDeviceDriverProperties driver;
+        gpu_describe(devices[i], &properties, &driver);
+        int r = rank(options, &properties.properties, &driver);
+        if (r < 0 || (best >= 0 && r >= best))
+            continue;
+        best = r;
+        device->physical = devices[i];
+        gpu_device_info *info = &device->info;
+        uint32_t api = properties.properties.apiVersion;
+        snprintf(info->name, sizeof info->name, "%s", properties.properties.deviceName);
+        snprintf(info->driver, sizeof info->driver, "%s", driver.driverName);
+        snprintf(info->version, sizeof info->version, "%s", driver.driverInfo);
+        snprintf(info->api, sizeof info->api, "%u.%u.%u", VK_API_VERSION_MAJOR(api),
+                 VK_API_VERSION_MINOR(api), VK_API_VERSION_PATCH(api));
+        info->software = properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+        info->compile_only = options->compile_for != NULL;
+        info->timestamp_nanosecond = (double)properties.properties.limits.timestampPeriod;
+    }
+    if (best >= 0)
+        return GPU_OK;
+    if (options->compile_for)
+        return gpu_fail(GPU_NO_DEVICE, "no RADV driver that compiles for '%s'",
+                        options->compile_for);
+    return gpu_fail(GPU_NO_DEVICE, "no Vulkan device whose name contains '%s'",
+                    options->device ? options->device : "");
+}
+
+static bool has_extension(VkPhysicalDevice physical, const char *name)
+{
+    uint32_t count = 0;
+    if (vkEnumerateDeviceExtensionProperties(physical, NULL, &count, NULL) != VK_SUCCESS)
+        return false;
+    VkExtensionProperties *extensions = calloc(count ? count : 1, sizeof *extensions);
+    bool found = false;
+    if (extensions &&
+        vkEnumerateDeviceExtensionProperties(physical, NULL, &count, extensions) >= VK_SUCCESS)
+        for (uint32_t i = 0; i < count && !found; i++)
+            found = strcmp(extensions[i].extensionName, name) == 0;
+    free(extensions);
+    return found;
+}
+
+static gpu_status find_queue(gpu_device *device)
+{
+    VkQueueFamilyProperties families[32];
+    uint32_t count = 32;
+    vkGetPhysicalDeviceQueueFamilyProperties(device->physical, &count, families);
+    for (uint32_t i = 0; i < count; i++)
+        if (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT) {
+            device->queue_family = i;
+            device->info.timestamps = families[i].timestampValidBits == 64;
+            return GPU_OK;
+        }
+    return gpu_fail(GPU_UNSUPPORTED, "%s has no compute queue", device->info.name);
+}
+
+static gpu_status create_device(gpu_device *device)
+{
+    gpu_status status = find_queue(device);
+    if (status != GPU_OK)
+        return status;
+    const char *statistics = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
+    device->info.statistics = has_extension(device->physical, statistics);
+    VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR executable = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR,
+        .pipelineExecutableInfo = VK_TRUE};
+    float priority = 1;
+    VkDeviceQueueCreateInfo queue = {.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                     .queueFamilyIndex = device->queue_family,
+                                     .queueCount = 1,
+                                     .pQueuePriorities = &priority};
+    VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                               .pNext = device->info.statistics ? &executable : NULL,
+                               .queueCreateInfoCount = 1,
+                               .pQueueCreateInfos = &queue,
+                               .enabledExtensionCount = device->info.statistics ? 1 : 0,
+                               .ppEnabledExtensionNames = &statistics};
+    VkResult result = vkCreateDevice(device->physical, &info, NULL, &device->device);
+    if (result != VK_SUCCESS)
+        return gpu_vk(result, device->info.name);
+    if (device->info.statistics)
+        device->get_statistics = (PFN_vkGetPipelineExecutableStatisticsKHR)(void (*)(
+            void))vkGetDeviceProcAddr(device->device, "vkGetPipelineExecutableStatisticsKHR");
+    if (device->info.compile_only)
+        return GPU_OK;
+    vkGetPhysicalDeviceMemoryProperties(device->physical, &device->memory);
+    vkGetDeviceQueue(device->device, device->queue_family, 0, &device->queue);
+    VkCommandPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                    .queueFamilyIndex = device->queue_family};
+    VkFenceCreateInfo fence = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    VkQueryPoolCreateInfo queries = {.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                     .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                     .queryCount = 2};
+    result = vkCreateCommandPool(device->device, &pool, NULL, &device->commands);
+    if (result == VK_SUCCESS)
+        result = vkCreateFence(device->device, &fence, NULL, &device->fence);
+    if (result == VK_SUCCESS && device->info.timestamps)
+        result = vkCreateQueryPool(device->device, &queries, NULL, &device->queries);
+    return result == VK_SUCCESS ? GPU_OK : gpu_vk(result, device->info.name);
+}
+
+static gpu_status open_device(gpu_device *device, const gpu_device_options *options)
+{
+    gpu_status status = gpu_create_instance(device, options->validation);
+    if (status == GPU_OK)
+        status = choose_device(device, options);
+    if (status == GPU_OK)
+        status = create_device(device);
+    return status;
+}
+
+/* Sets a variable of the environment and returns what it was (malloc'ed, or NULL). */
+static char *swap_environment(const char *name, const char *value)
+{
+    const char *old = getenv(name);
+    char *copy = old ? strdup(old) : NULL;
+    if (value)
+        setenv(name, value, 1);
+    else
+        unsetenv(name);
+    return copy;
+}
+
+gpu_status gpu_device_open(const gpu_device_options *options, gpu_device **out)
+{
+    static const gpu_device_options defaults;
+    if (!options)
+        options = &defaults;
+    *out = NULL;
+    gpu_device *device = calloc(1, sizeof *device);
+    if (!device)
+        return gpu_fail(GPU_OUT_OF_MEMORY, "opening Vulkan: out of host memory");
+    /* Some drivers print a warning where this is missing. */
+    setenv("XDG_RUNTIME_DIR", "/tmp", 0);
+    /* Statistics come from compiling, not from somebody's cache. */
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+    char *family = swap_environment("RADV_FORCE_FAMILY", options->compile_for);
+    gpu_status status = open_device(device, options);
+    free(swap_environment("RADV_FORCE_FAMILY", family));
+    free(family);
+    if (status != GPU_OK) {
+        gpu_device_close(device);
+        return status;
+    }
+    *out = device;
+    return GPU_OK;
+}
+
+void gpu_device_close(gpu_device *device)
+{
+    if (!device)
+        return;
+    if (device->device) {
+        vkDestroyQueryPool(device->device, device->queries, NULL);
+        vkDestroyFence(device->device, device->fence, NULL);
+        vkDestroyCommandPool(device->device, device->commands, NULL);
+        vkDestroyDevice(device->device, NULL);
+    }
+    gpu_destroy_instance(device);
+    free(device);
+}
+
+const gpu_device_info *gpu_device_about(const gpu_device *device)
+{
+    return &device->info;
+}
