@@ -20,9 +20,9 @@ extern "C" {
 
 typedef enum sg_status {
     SG_OK = 0,
-    SG_DOMAIN,       /* an argument lies outside the stated domain */
+    SG_DOMAIN,         /* an argument lies outside the stated domain */
     SG_NO_CONVERGENCE, /* an iteration ended without reaching its tolerance */
-    SG_UNKNOWN       /* no such method, route or form */
+    SG_UNKNOWN         /* no such method, route or form */
 } sg_status;
 
 const char *sg_status_string(sg_status status);
@@ -37,7 +37,7 @@ const char *sg_status_string(sg_status status);
  */
 double sg_A(double lambda);   /* integral of G over the sphere: 2 pi (1 - e^-2lambda)/lambda */
 double sg_A_u(double lambda); /* A_h at beta = 0:  2 pi (e^-lambda - 1 + lambda)/lambda^2 */
-double sg_A_b(double lambda); /* A_h at beta = pi: 2 pi e^-2lambda (e^lambda - 1 - lambda)/lambda^2 */
+double sg_A_b(double lambda); /* at beta = pi: 2 pi e^-2lambda (e^lambda - 1 - lambda)/lambda^2 */
 
 /* A_h: integral of G(w) max(w.n, 0) over the sphere, in [0, pi] (Meder and Bruederlin, eq. 12). */
 double sg_A_h(double lambda, double beta);
@@ -75,7 +75,8 @@ typedef struct sg_quadrature {
 } sg_quadrature;
 
 typedef struct sg_route {
-    const char *id;    /* "gauss_2d_64", "gauss_2d_256", "adaptive_2d", "bessel_1d", "ode_forward", "zonal_harmonics" */
+    const char *id;    /* "gauss_2d_64", "gauss_2d_256", "adaptive_2d", "bessel_1d", "ode_forward",
+                          "zonal_harmonics" */
     const char *title; /* one line for people */
     sg_status (*A_h)(double lambda, double beta, sg_quadrature *result);
 } sg_route;
@@ -103,17 +104,18 @@ double sg_lobe_integral(const sg_lobe *lobe);
 double sg_lobe_irradiance(const sg_lobe *lobe, const double normal[3]);
 
 /* The product of two lobes, a lobe again (Xu et al. 2014). Never cancels; where the product has
- * sharpness 0 (opposite axes of equal sharpness) its axis is a unit vector perpendicular to both. */
+ * sharpness 0 (opposite axes of equal sharpness) its axis is a unit vector perpendicular to both.
+ */
 sg_lobe sg_lobe_product(const sg_lobe *a, const sg_lobe *b);
 
 /* Mean resultant length r in [0, 1] of a normalised lobe from its sharpness, coth(lambda) -
  * 1/lambda, and sharpness from r. r >= 1 gives +inf, r <= 0 gives 0, NaN gives NaN. */
-double sg_mean_from_sharpness(double lambda);            /* exact */
-double sg_sharpness_from_mean(double r);                 /* its exact inverse */
-double sg_mean_from_sharpness_toksvig(double lambda);    /* lambda/(1 + lambda) */
-double sg_sharpness_from_mean_toksvig(double r);         /* r/(1 - r), Meder eq. 4 */
-double sg_mean_from_sharpness_banerjee(double lambda);   /* root of the next in [0, 1] */
-double sg_sharpness_from_mean_banerjee(double r);        /* r (3 - r^2)/(1 - r^2), Banerjee 2005 */
+double sg_mean_from_sharpness(double lambda);          /* exact */
+double sg_sharpness_from_mean(double r);               /* its exact inverse */
+double sg_mean_from_sharpness_toksvig(double lambda);  /* lambda/(1 + lambda) */
+double sg_sharpness_from_mean_toksvig(double r);       /* r/(1 - r), Meder eq. 4 */
+double sg_mean_from_sharpness_banerjee(double lambda); /* root of the next in [0, 1] */
+double sg_sharpness_from_mean_banerjee(double r);      /* r (3 - r^2)/(1 - r^2), Banerjee 2005 */
 
 /* The lobe of a set of directions with weights: sum of weight*direction and sum of weight in,
  * a lobe with that mean direction and that integral out (Meder, eqs 4 and 5), its sharpness by
@@ -151,7 +153,7 @@ const sg_form *sg_form_find(const char *id);
 typedef struct sg_method {
     const char *id;
     const char *title;
-    const char *source;  /* paper and equation, or the recipe that made it */
+    const char *source; /* paper and equation, or the recipe that made it */
     int year;
     const char *variant; /* "published", "stable", "refit" or "tier" */
     const sg_form *form;

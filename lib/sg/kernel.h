@@ -1,0 +1,260 @@
+/* kernel.h: the arithmetic of the reference integral, free of branches and of calls, so that a
+ * loop over points or over quadrature nodes vectorises. Internal to libsg.
+ *
+ * With a = |pi/2 - beta| the angle to the horizon, delta = pi/2 - a the angle to the nearer pole,
+ * and D = A_h(pi/2 + a) - A_b, the differential equation A_h'' + A_h = g gives
+ *     D = 2 pi e^-lambda [ phi (1 - sin a) + int_0^delta sin(t) (I0(x) - I1(x)/x - 1/2) dt ],
+ *     x = lambda cos(a + t),   phi = 1/2 - (1 - (1 + lambda) e^-lambda)/lambda^2,
+ * every term of which is positive. The upper half follows from the exact odd part,
+ *     A_h(beta) = A_h(pi - beta) + (A_u - A_b) cos(beta),
+ * again a sum of positive terms; so does Meder's c = max(z, 0) + D/(A_u - A_b). H is the same with
+ * H_b and int x e^-x I1(x)/x. Under the integral e^-lambda e^x is written e^-E e^-u with
+ * E = lambda (1 - cos a), which is needed to 1e-15 absolute though it may be 600 and is therefore
+ * carried in two doubles, and u = lambda (cos a - cos(a + t)), at which no care is needed: the
+ * integral is cut where u = 40. The variable is T = tan(t/2), which makes everything under the
+ * integral rational but for one exponential and one square root. */
+#ifndef SG_KERNEL_H
+#define SG_KERNEL_H
+
+#include "bessel_table.inc"
+#include "double2.h"
+
+#define SG_PI     3.14159265358979323846
+#define SG_TWO_PI 6.28318530717958647693
+#define SG_PI_HI  0x1.921fb54442d18p+1
+#define SG_PI_LO  0x1.1a62633145c07p-53
+
+/* What depends on lambda alone, each over 2 pi and times kappa = max(1, lambda), so that nothing
+ * underflows: the integrals over the sphere and at the poles, the slope of the odd part. */
+typedef struct sg_sharpness {
+    double lambda, kappa;
+    double pole; /* kappa A_b / 2 pi */
+    double rise; /* kappa e^-lambda phi */
+    double odd;  /* kappa (A_u - A_b)/2 pi */
+    double all;  /* kappa A/2 pi */
+    double dark; /* kappa H(pi)/2 pi */
+} sg_sharpness;
+
+static inline sg_sharpness sg_sharpness_of(double lambda)
+{
+    double e1 = sg_exp_minus(lambda, 0.0), e2 = e1 * e1;
+    /* below 1 by series of positive terms, l being lambda there */
+    double l = lambda < 1.0 ? lambda : 1.0, l2 = l * l;
+    /* rise/l = e^-2lambda sum_{k>=0} (k(k+5)/2 + 2) l^k/(k+3)! */
+    double rise = 0.0;
+    {
+        static const double c[] = {0x1.5555555555555p-2,
+                                   5.0 / 24.0,
+                                   9.0 / 120.0,
+                                   14.0 / 720.0,
+                                   20.0 / 5040.0,
+                                   27.0 / 40320.0,
+                                   35.0 / 362880.0,
+                                   44.0 / 3628800.0,
+                                   54.0 / 39916800.0,
+                                   65.0 / 479001600.0,
+                                   77.0 / 6227020800.0,
+                                   90.0 / 87178291200.0,
+                                   104.0 / 1307674368000.0,
+                                   119.0 / 20922789888000.0,
+                                   135.0 / 355687428096000.0,
+                                   152.0 / 6402373705728000.0,
+                                   170.0 / 121645100408832000.0,
+                                   189.0 / 2432902008176640000.0};
+        for (int k = 17; k >= 0; k--)
+            rise = rise * l + c[k];
+    }
+    /* odd/l = 2 e^-lambda sum_{k>=1} 2k l^(2k-2)/(2k+1)!, all = 2 e^-lambda sinh(l)/l */
+    double odd = 18.0 / 121645100408832000.0, all = 1.0 / 121645100408832000.0;
+    odd = odd * l2 + 16.0 / 355687428096000.0, all = all * l2 + 1.0 / 355687428096000.0;
+    odd = odd * l2 + 14.0 / 1307674368000.0, all = all * l2 + 1.0 / 1307674368000.0;
+    odd = odd * l2 + 12.0 / 6227020800.0, all = all * l2 + 1.0 / 6227020800.0;
+    odd = odd * l2 + 10.0 / 39916800.0, all = all * l2 + 1.0 / 39916800.0;
+    odd = odd * l2 + 8.0 / 362880.0, all = all * l2 + 1.0 / 362880.0;
+    odd = odd * l2 + 6.0 / 5040.0, all = all * l2 + 1.0 / 5040.0;
+    odd = odd * l2 + 4.0 / 120.0, all = all * l2 + 1.0 / 120.0;
+    odd = odd * l2 + 2.0 / 6.0, all = all * l2 + 1.0 / 6.0;
+    all = all * l2 + 1.0;
+
+    double large = lambda > 1.0 ? lambda : 1.0, inverse = 1.0 / large;
+    double without = (1.0 - (1.0 + large) * e1) * inverse; /* lambda b */
+    int is_small = lambda <= 1.0;
+    sg_sharpness s;
+    s.lambda = lambda;
+    s.kappa = large;
+    s.rise = is_small ? e2 * rise * l : e1 * (0.5 * large - without);
+    s.pole = is_small ? e1 * (0.5 - e1 * rise * l) : e1 * without;
+    s.odd = is_small ? 2.0 * e1 * odd * l : (1.0 + e2) - (1.0 - e2) * inverse;
+    s.all = is_small ? 2.0 * e1 * all : 1.0 - e2;
+    /* (1 - e^-lambda) = (1 - e^-2lambda)/(1 + e^-lambda) */
+    s.dark = e1 * s.all / (1.0 + e1);
+    return s;
+}
+
+/* What depends on the direction alone. */
+typedef struct sg_direction {
+    double sine, cosine;   /* of a, both in [0, 1] */
+    double one_minus_sine; /* accurate next to the poles */
+    double pole_tangent;   /* tan(delta/2) */
+    sg_double2 one_minus_cosine;
+    double z; /* cos beta = +-sine */
+} sg_direction;
+
+static inline sg_direction sg_direction_of_cosine(double z)
+{
+    double sine = z < 0.0 ? -z : z;
+    sine = sine < 1.0 ? sine : 1.0;
+    sg_double2 square = sg_two_product(sine, sine);
+    sg_double2 rest = sg_two_sum(1.0, -square.hi);
+    rest.lo -= square.lo;
+    double sum = rest.hi + rest.lo;
+    double root = sqrt(sum);
+    /* one Newton step carries the root to two doubles */
+    sg_double2 root_square = sg_two_product(root, root);
+    double defect = (rest.hi - root_square.hi) + (rest.lo - root_square.lo);
+    double root_lo = root > 0.0 ? defect / (2.0 * root) : 0.0;
+    sg_double2 divisor = sg_two_sum(1.0, root);
+    divisor.lo += root_lo;
+    double quotient = square.hi / divisor.hi;
+    sg_double2 back = sg_two_product(quotient, divisor.hi);
+    double remainder = ((square.hi - back.hi) - back.lo) + (square.lo - quotient * divisor.lo);
+    sg_direction d;
+    d.sine = sine;
+    d.cosine = root;
+    d.one_minus_sine = 1.0 - sine;
+    d.pole_tangent = root / (1.0 + sine);
+    d.one_minus_cosine = (sg_double2){quotient, remainder / divisor.hi};
+    d.z = z < 0.0 ? -sine : sine;
+    return d;
+}
+
+/* 1 - cos a = q/2 (1 - q P(q)), q = a^2 <= (pi/2)^2, in two doubles. P, up to 1/12, is needed in
+ * two doubles as well; what follows in it weighs less than 0.007. */
+static inline sg_double2 sg_versine(sg_double2 a)
+{
+    sg_double2 q = sg_two_product(a.hi, a.hi);
+    q.lo += 2.0 * a.hi * a.lo;
+    double t = 2.0 / 1124000727777607680000.0;
+    t = 2.0 / 2432902008176640000.0 - t * q.hi;
+    t = 2.0 / 6402373705728000.0 - t * q.hi;
+    t = 2.0 / 20922789888000.0 - t * q.hi;
+    t = 2.0 / 87178291200.0 - t * q.hi;
+    t = 2.0 / 479001600.0 - t * q.hi;
+    t = 2.0 / 3628800.0 - t * q.hi;
+    t = 2.0 / 40320.0 - t * q.hi;
+    t = 2.0 / 720.0 - t * q.hi;
+    sg_double2 p = sg_two_sum(0x1.5555555555555p-4, -t * q.hi);
+    p.lo += 0x1.5555555555555p-58;
+    sg_double2 pq = sg_two_product(p.hi, q.hi);
+    pq.lo += p.hi * q.lo + p.lo * q.hi;
+    sg_double2 rest = sg_two_sum(1.0, -pq.hi);
+    rest.lo -= pq.lo;
+    sg_double2 value = sg_two_product(0.5 * q.hi, rest.hi);
+    value.lo += 0.5 * (q.hi * rest.lo + q.lo * rest.hi);
+    return value;
+}
+
+static inline sg_direction sg_direction_of_angle(double beta)
+{
+    /* a = |beta - pi/2| in two doubles, because pi/2 is not a double */
+    sg_double2 a = sg_two_sum(beta, -0.5 * SG_PI_HI);
+    a.lo -= 0.5 * SG_PI_LO;
+    int below = beta > 0.5 * SG_PI_HI;
+    a.hi = below ? a.hi : -a.hi;
+    a.lo = below ? a.lo : -a.lo;
+    double delta = below ? (SG_PI_HI - beta) + SG_PI_LO : beta;
+    int near_horizon = a.hi < delta;
+    double y = near_horizon ? a.hi + a.lo : delta, y2 = y * y; /* at most pi/4 */
+    double sine = 1.0 / 355687428096000.0;
+    sine = sine * y2 - 1.0 / 1307674368000.0;
+    sine = sine * y2 + 1.0 / 6227020800.0;
+    sine = sine * y2 - 1.0 / 39916800.0;
+    sine = sine * y2 + 1.0 / 362880.0;
+    sine = sine * y2 - 1.0 / 5040.0;
+    sine = sine * y2 + 1.0 / 120.0;
+    sine = sine * y2 - 1.0 / 6.0;
+    sine = y + y * y2 * sine;
+    double versine = -1.0 / 6402373705728000.0;
+    versine = versine * y2 + 1.0 / 20922789888000.0;
+    versine = versine * y2 - 1.0 / 87178291200.0;
+    versine = versine * y2 + 1.0 / 479001600.0;
+    versine = versine * y2 - 1.0 / 3628800.0;
+    versine = versine * y2 + 1.0 / 40320.0;
+    versine = versine * y2 - 1.0 / 720.0;
+    versine = versine * y2 + 1.0 / 24.0;
+    versine = y2 * (0.5 - y2 * versine); /* 1 - cos y */
+    sg_direction d;
+    d.sine = near_horizon ? sine : 1.0 - versine;
+    d.cosine = near_horizon ? 1.0 - versine : sine;
+    d.one_minus_sine = near_horizon ? 1.0 - sine : versine;
+    d.pole_tangent = d.cosine / (1.0 + d.sine);
+    d.one_minus_cosine = sg_versine(a);
+    d.z = below ? -d.sine : d.sine;
+    return d;
+}
+
+/* e^-E, E = lambda (1 - cos a). */
+static inline double sg_horizon_factor(const sg_sharpness *s, const sg_direction *d)
+{
+    /* powers of 2 keep the splitting of a huge lambda from overflowing; where the product is
+     * beyond what exp can show it is not formed at all */
+    int shown = s->lambda * d->one_minus_cosine.hi < 800.0;
+    double lambda = shown ? s->lambda : 0.0;
+    double scale = lambda > 0x1p500 ? 0x1p-500 : 1.0, back = lambda > 0x1p500 ? 0x1p500 : 1.0;
+    sg_double2 exponent = sg_two_product(lambda * scale, d->one_minus_cosine.hi * back);
+    exponent.lo += lambda * d->one_minus_cosine.lo;
+    double value = sg_exp_minus(exponent.hi, exponent.lo);
+    return shown ? value : 0.0;
+}
+
+/* The upper end of the integral in T: the pole, or where u = 40. */
+static inline double sg_cut(const sg_sharpness *s, const sg_direction *d)
+{
+    double y = 40.0 / s->kappa;
+    double under = d->sine * d->sine + y * (2.0 * d->cosine - y);
+    double cut = y / (d->sine + sqrt(under > 0.0 ? under : 0.0));
+    return s->lambda * d->cosine <= 40.0 ? d->pole_tangent : cut;
+}
+
+/* The piecewise polynomial of bessel_table.inc at r in [0, 1/8]. */
+static inline double sg_piece(const double *table, double r)
+{
+    double place = r * (double)(SG_BESSEL_SHIFT * SG_BESSEL_PIECES);
+    int piece = (int)place;
+    piece = piece < SG_BESSEL_PIECES ? piece : SG_BESSEL_PIECES - 1;
+    double y = 2.0 * (place - (double)piece) - 1.0;
+    const double *c = table + piece * (SG_BESSEL_DEGREE + 1);
+    double value = c[8];
+    value = value * y + c[7];
+    value = value * y + c[6];
+    value = value * y + c[5];
+    value = value * y + c[4];
+    value = value * y + c[3];
+    value = value * y + c[2];
+    value = value * y + c[1];
+    return value * y + c[0];
+}
+
+/* Integrand of A_h at T = t, less a factor 4, and of H, less a factor 2: e^-u times the source,
+ * times what the change of variable brings. Both are written with x r, which cannot overflow. */
+static inline double sg_even_node(double lambda, double sine, double cosine, double t)
+{
+    double p = 1.0 / (1.0 + t * t);
+    double u = lambda * (2.0 * t * p * (sine + cosine * t));
+    double x = lambda * cosine - u;
+    x = x > 0.0 ? x : 0.0;
+    double r = 1.0 / (x + (double)SG_BESSEL_SHIFT), ratio = x * r;
+    return t * p * p * sg_exp_minus_small(u) * ratio * ratio * sqrt(r) *
+           sg_piece(sg_bessel_even[0], r);
+}
+
+static inline double sg_odd_node(double lambda, double sine, double cosine, double t)
+{
+    double p = 1.0 / (1.0 + t * t);
+    double u = lambda * (2.0 * t * p * (sine + cosine * t));
+    double x = lambda * cosine - u;
+    x = x > 0.0 ? x : 0.0;
+    double r = 1.0 / (x + (double)SG_BESSEL_SHIFT);
+    return p * sg_exp_minus_small(u) * (x * r) * sqrt(r) * sg_piece(sg_bessel_odd[0], r);
+}
+#endif
