@@ -18,7 +18,7 @@ static const char head[] =
     "layout(std430, set = 0, binding = 1) writeonly buffer count_out { float count_r[]; };\n"
     "#line 1\n";
 
-static const char empty[] =
+const char gpu_empty_function[] =
     "float f(float lambda, float cos_theta) { return lambda + cos_theta; }\n";
 
 /* The literal stands for any sharpness: what depends on lambda alone is folded away. */
@@ -34,17 +34,22 @@ static const char *const bodies[] = {
     " count_r[i] = f(k, a.x + a.y) + f(k, a.z + a.w) + f(k, b.x + b.y) + f(k, b.z + b.w)"
     " + f(k, c.x + c.y) + f(k, c.z + c.w) + f(k, d.x + d.y) + f(k, d.z + d.w);"};
 
-enum { ONE, EIGHT, PIXEL_ONE, PIXEL_EIGHT };
-
-static gpu_status measure(gpu_counter *counter, const char *name, const char *source, int body,
-                          gpu_statistics *statistics)
+char *gpu_wrap(gpu_wrapper wrapper, const char *source)
 {
-    size_t size = sizeof head + strlen(source) + strlen(bodies[body]) + 200;
+    size_t size = sizeof head + strlen(source) + strlen(bodies[wrapper]) + 100;
     char *text = malloc(size);
+    if (text)
+        snprintf(text, size, "%s%s\nvoid main() { uint i = gl_GlobalInvocationID.x; %s }\n", head,
+                 source, bodies[wrapper]);
+    return text;
+}
+
+static gpu_status measure(gpu_counter *counter, const char *name, const char *source,
+                          gpu_wrapper wrapper, gpu_statistics *statistics)
+{
+    char *text = gpu_wrap(wrapper, source);
     if (!text)
         return gpu_fail(GPU_OUT_OF_MEMORY, "%s: out of host memory", name);
-    snprintf(text, size, "%s%s\nvoid main() { uint i = gl_GlobalInvocationID.x; %s }\n", head,
-             source, bodies[body]);
     gpu_compute_options options = {
         .name = name,
         .source = text,
@@ -70,7 +75,7 @@ gpu_status gpu_counter_open(const char *family, gpu_counter **out)
     gpu_device_options options = {.compile_for = family};
     gpu_status status = gpu_device_open(&options, &counter->device);
     if (status == GPU_OK)
-        status = measure(counter, "empty", empty, ONE, &counter->empty);
+        status = measure(counter, "empty", gpu_empty_function, GPU_ONE, &counter->empty);
     if (status != GPU_OK) {
         gpu_counter_close(counter);
         return status;
@@ -108,15 +113,16 @@ static gpu_statistics difference(const gpu_statistics *whole, const gpu_statisti
 gpu_status gpu_count(gpu_counter *counter, const char *name, const char *source, gpu_cost *cost)
 {
     gpu_statistics raw[4];
-    for (int body = 0; body < 4; body++) {
-        gpu_status status = measure(counter, name, source, body, &raw[body]);
+    for (gpu_wrapper wrapper = GPU_ONE; wrapper <= GPU_PIXEL_EIGHT; wrapper++) {
+        gpu_status status = measure(counter, name, source, wrapper, &raw[wrapper]);
         if (status != GPU_OK)
             return status;
     }
-    gpu_cost result = {.one = difference(&raw[ONE], &counter->empty, 1),
-                       .slope = difference(&raw[EIGHT], &raw[ONE], 1.0 / 7.0),
-                       .pixel = difference(&raw[PIXEL_ONE], &counter->empty, 1),
-                       .pixel_slope = difference(&raw[PIXEL_EIGHT], &raw[PIXEL_ONE], 1.0 / 7.0)};
+    gpu_cost result = {.one = difference(&raw[GPU_ONE], &counter->empty, 1),
+                       .slope = difference(&raw[GPU_EIGHT], &raw[GPU_ONE], 1.0 / 7.0),
+                       .pixel = difference(&raw[GPU_PIXEL_ONE], &counter->empty, 1),
+                       .pixel_slope =
+                           difference(&raw[GPU_PIXEL_EIGHT], &raw[GPU_PIXEL_ONE], 1.0 / 7.0)};
     /* The addition of the empty wrapper is gone where f stands alone. */
     result.one.instructions += 1;
     *cost = result;

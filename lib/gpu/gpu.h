@@ -156,19 +156,31 @@ gpu_status gpu_compute_statistics(const gpu_compute *compute, gpu_statistics *st
 /* SPIR-V words of a compute shader, free() them. */
 gpu_status gpu_compile(const char *name, const char *source, uint32_t **words, size_t *word_count);
 
-/* What a function costs. The source holds a function
+/* ---- What a function costs ----------------------------------------------------------------------
+ *
+ * Everything below takes GLSL that holds a function
  *     float f(float lambda, float cos_theta)
  * and what that needs, without #version. It may declare and use textures at bindings 2 and 3 of
- * set 0. Five compute shaders are compiled, with 64 invocations a group:
- *   empty        reads two floats from a buffer and writes their sum to another,
- *   one          reads two floats and writes f of them,
- *   eight        reads sixteen floats and writes the sum of eight values of f,
- *   pixel one and pixel eight: the same with a literal sharpness and the sum of the two floats as
- *                cos_theta, so that the compiler has folded away all that depends on the
- *                sharpness alone: what is left is the part done once a pixel where the
- *                coefficients of a lobe are prepared once a light.
- * A slope is ("eight" - "one")/7: what one more evaluation costs, its memory traffic hidden or
- * not; of the empty function it is about one addition. */
+ * set 0. A whole compute shader is made of it, with 64 invocations a group, that reads its
+ * arguments from a buffer of floats at binding 0, two for each value, and writes one float for each
+ * invocation to binding 1. */
+typedef enum gpu_wrapper {
+    GPU_ONE,        /* writes f */
+    GPU_EIGHT,      /* writes the sum of eight values of f */
+    GPU_PIXEL_ONE,  /* the same two with a literal sharpness and the sum of the two floats as  */
+    GPU_PIXEL_EIGHT /* cos_theta: the compiler folds away what depends on the sharpness alone, and
+                       what is left is done once a pixel where a lobe is prepared once a light */
+} gpu_wrapper;
+
+/* The shader as text, free() it; NULL where there is no memory. Line numbers are those of source.
+ */
+char *gpu_wrap(gpu_wrapper wrapper, const char *source);
+
+/* The function that "empty" stands for below: the sum of its arguments. */
+extern const char gpu_empty_function[];
+
+/* empty is GPU_ONE of gpu_empty_function. A slope is (eight - one)/7: what one more evaluation
+ * costs, hidden by no memory access; of the empty function it is about one addition. */
 typedef struct gpu_cost {
     gpu_statistics one;   /* "one" - "empty", with the addition that only "empty" has put back;
                              inverse throughput and latency: partly hidden by memory */
