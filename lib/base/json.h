@@ -28,4 +28,7 @@ cJSON *base_json_number(double value);
  * malloc'ed. */
 char *base_json_print(const cJSON *root);
 
+/* The text as a JSON string, with its quotes; malloc'ed, NULL where memory is out. */
+char *base_json_quote(const char *text);
+
 #endif

@@ -133,14 +133,25 @@ static void put_value(text_buffer *out, const cJSON *item, int depth)
     put_text(out, object ? "}" : "]");
 }
 
+static char *finish(text_buffer *out)
+{
+    if (!out->failed)
+        return out->bytes;
+    free(out->bytes);
+    return NULL;
+}
+
 char *base_json_print(const cJSON *root)
 {
     text_buffer out = {0};
     put_value(&out, root, 0);
     put_text(&out, "\n");
-    if (out.failed) {
-        free(out.bytes);
-        return NULL;
-    }
-    return out.bytes;
+    return finish(&out);
+}
+
+char *base_json_quote(const char *text)
+{
+    text_buffer out = {0};
+    put_string(&out, text);
+    return finish(&out);
 }
