@@ -249,6 +249,15 @@ static void compile_only_device_refuses_memory(void **state)
     gpu_device_close(device);
 }
 
+static void unknown_family_is_said(void **state)
+{
+    (void)state;
+    gpu_counter *counter = (gpu_counter *)1;
+    assert_int_equal(gpu_counter_open("no_such_family", &counter), GPU_NO_DEVICE);
+    assert_null(counter);
+    assert_non_null(strstr(gpu_last_error(), "no_such_family"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -262,6 +271,7 @@ int main(void)
         cmocka_unit_test(validation_catches_a_planted_mistake),
         cmocka_unit_test(counts_what_a_function_costs),
         cmocka_unit_test(compile_only_device_refuses_memory),
+        cmocka_unit_test(unknown_family_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,9 +2,14 @@
 #include "internal.h"
 
 #include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 static bool contains(const char *text, const char *part)
 {
@@ -71,9 +76,6 @@ static gpu_status choose_device(gpu_device *device, const gpu_device_options *op
     }
     if (best >= 0)
         return GPU_OK;
-    if (options->compile_for)
-        return gpu_fail(GPU_NO_DEVICE, "no RADV driver that compiles for '%s'",
-                        options->compile_for);
     return gpu_fail(GPU_NO_DEVICE, "no Vulkan device whose name contains '%s'",
                     options->device ? options->device : "");
 }
@@ -162,6 +164,28 @@ static gpu_status open_device(gpu_device *device, const gpu_device_options *opti
     return status;
 }
 
+/* A driver that does not know the family aborts the process, and names differ between versions of
+ * Mesa: a child tries first, and its death is the answer. */
+static bool family_is_known(const gpu_device_options *options)
+{
+    pid_t child = fork();
+    if (child == 0) {
+        setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
+        int nowhere = open("/dev/null", O_WRONLY);
+        if (nowhere >= 0)
+            dup2(nowhere, STDERR_FILENO);
+        gpu_device device = {0};
+        gpu_status status = gpu_create_instance(&device, false);
+        if (status == GPU_OK)
+            status = choose_device(&device, options);
+        _exit(status == GPU_OK ? 0 : 1);
+    }
+    int end = 1;
+    while (child > 0 && waitpid(child, &end, 0) < 0 && errno == EINTR)
+        continue;
+    return child > 0 && WIFEXITED(end) && WEXITSTATUS(end) == 0;
+}
+
 /* Sets a variable of the environment and returns what it was (malloc'ed, or NULL). */
 static char *swap_environment(const char *name, const char *value)
 {
@@ -188,7 +212,12 @@ gpu_status gpu_device_open(const gpu_device_options *options, gpu_device **out)
     /* Statistics come from compiling, not from somebody's cache. */
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
     char *family = swap_environment("RADV_FORCE_FAMILY", options->compile_for);
-    gpu_status status = open_device(device, options);
+    gpu_status status = GPU_OK;
+    if (options->compile_for && !family_is_known(options))
+        status =
+            gpu_fail(GPU_NO_DEVICE, "no RADV driver that compiles for '%s'", options->compile_for);
+    if (status == GPU_OK)
+        status = open_device(device, options);
     free(swap_environment("RADV_FORCE_FAMILY", family));
     free(family);
     if (status != GPU_OK) {
