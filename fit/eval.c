@@ -67,7 +67,9 @@ static int parse(int argc, char **argv, arguments *a)
          "have f64 alone",
          NULL},
         {"certified", BASE_FLAG, &a->certified, NULL,
-         "adds columns lower and upper: a rigorous enclosure of A_h or H", NULL},
+         "adds columns lower and upper: an enclosure by rigorous integration,\nnan where there is "
+         "none (c and s at the poles)",
+         NULL},
         {"lambda", BASE_F64, &a->lambda, "X", "one point instead of standard input: its sharpness",
          &a->has_lambda},
         {"beta", BASE_F64, &a->beta, "Y", "... and its angle in radians", &a->has_beta},

@@ -56,8 +56,6 @@ bool evaluator_choose(evaluator *evaluator, const char *id, const char *quantity
                    "was built without");
     else if (certified && evaluator->kind != EVALUATE_REFERENCE)
         base_error("eval: --certified expects --method reference, found \"%s\"", id);
-    else if (certified && !is(quantity, "A_h") && !is(quantity, "H"))
-        base_error("eval: --certified expects --quantity A_h or H, found \"%s\"", quantity);
 #ifndef HAVE_ARB
     else if (certified)
         base_error("eval: --certified expects a build with FLINT/Arb, and this one is without");
@@ -124,6 +122,29 @@ static double route_value(const evaluator *evaluator, double lambda, double angl
     return result.value / scale;
 }
 
+#ifdef HAVE_ARB
+static void enclose(const evaluator *evaluator, double lambda, double angle,
+                    double extras[EVALUATOR_EXTRAS])
+{
+    typedef bool (*enclosure)(double lambda, double angle, double *lower, double *upper);
+    static const struct {
+        const char *quantity;
+        enclosure by_beta, by_cosine;
+    } rows[] = {
+        {"A_h", sgfit_certified_A_h, sgfit_certified_A_h_cos},
+        {"H", sgfit_certified_H, sgfit_certified_H_cos},
+        {"L", sgfit_certified_L, sgfit_certified_L_cos},
+        {"c", sgfit_certified_c, sgfit_certified_c_cos},
+        {"s", sgfit_certified_s, sgfit_certified_s_cos},
+    };
+    extras[0] = extras[1] = (double)NAN; /* c and s at the poles have no enclosure */
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (is(evaluator->quantity, rows[i].quantity))
+            (evaluator->by_beta ? rows[i].by_beta : rows[i].by_cosine)(lambda, angle, &extras[0],
+                                                                       &extras[1]);
+}
+#endif
+
 double evaluator_value(const evaluator *evaluator, double lambda, double angle,
                        double extras[EVALUATOR_EXTRAS])
 {
@@ -136,17 +157,8 @@ double evaluator_value(const evaluator *evaluator, double lambda, double angle,
         break;
     }
 #ifdef HAVE_ARB
-    if (evaluator->certified) {
-        bool integral = is(evaluator->quantity, "A_h");
-        bool good;
-        if (evaluator->by_beta)
-            good = (integral ? certified_A_h : certified_H)(lambda, angle, &extras[0], &extras[1]);
-        else
-            good = (integral ? certified_A_h_cos : certified_H_cos)(lambda, angle, &extras[0],
-                                                                    &extras[1]);
-        if (!good)
-            extras[0] = extras[1] = (double)NAN;
-    }
+    if (evaluator->certified)
+        enclose(evaluator, lambda, angle, extras);
 #endif
     return reference_value(evaluator, lambda, angle);
 }

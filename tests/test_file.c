@@ -1,0 +1,154 @@
+/* lib/base/file: files that appear whole or not at all, folders. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include <cmocka.h>
+
+#include "base/file.h"
+#include "capture.h"
+
+static char folder[] = "/tmp/sgfit-test-file-XXXXXX";
+
+static char *in_folder(const char *name, const char *text)
+{
+    char *path = base_join(folder, name);
+    if (text)
+        assert_true(base_write_file(path, text, strlen(text)));
+    return path;
+}
+
+static void assert_only_file(const char *name)
+{
+    char **names;
+    size_t count;
+    assert_true(base_list(folder, "", &names, &count));
+    for (size_t i = 0; i < count; i++)
+        assert_null(strstr(names[i], ".part"));
+    bool found = false;
+    for (size_t i = 0; i < count; i++)
+        found = found || strcmp(names[i], name) == 0;
+    assert_true(found);
+    base_list_free(names, count);
+}
+
+static void a_discarded_output_leaves_what_was_there(void **state)
+{
+    (void)state;
+    char *path = in_folder("kept.txt", "before");
+    base_output output;
+    assert_true(base_output_open(&output, path));
+    fputs("half of ", output.stream);
+    base_output_discard(&output);
+    char *text = base_read_file(path, NULL);
+    assert_string_equal(text, "before");
+    free(text);
+    assert_true(base_output_open(&output, path));
+    fputs("after", output.stream);
+    assert_true(base_output_close(&output));
+    text = base_read_file(path, NULL);
+    assert_string_equal(text, "after");
+    free(text);
+    assert_only_file("kept.txt");
+    free(path);
+}
+
+static void a_link_and_a_device_stay_what_they_are(void **state)
+{
+    (void)state;
+    char *path = in_folder("target.txt", "before"), *link = in_folder("link.txt", NULL);
+    assert_int_equal(symlink("target.txt", link), 0);
+    assert_true(base_write_file(link, "after", 5));
+    struct stat status;
+    assert_int_equal(lstat(link, &status), 0);
+    assert_true(S_ISLNK(status.st_mode));
+    char *text = base_read_file(path, NULL);
+    assert_string_equal(text, "after");
+    free(text);
+    free(link);
+    free(path);
+
+    capture c;
+    capture_begin(&c);
+    bool good = base_write_file("/dev/full", "x", 1);
+    assert_one_line(capture_end(&c), "/dev/full", "No space left");
+    assert_false(good);
+    assert_int_equal(stat("/dev/full", &status), 0);
+    assert_true(S_ISCHR(status.st_mode));
+}
+
+static void what_cannot_be_written_or_read_is_named(void **state)
+{
+    (void)state;
+    capture c;
+    capture_begin(&c);
+    bool good = base_write_file("/no/such/folder/x", "x", 1);
+    assert_one_line(capture_end(&c), "/no/such/folder/x", "No such file");
+    assert_false(good);
+    capture_begin(&c);
+    good = base_write_file(folder, "x", 1);
+    assert_one_line(capture_end(&c), folder, "directory");
+    assert_false(good);
+    capture_begin(&c);
+    char *text = base_read_file(folder, NULL);
+    assert_one_line(capture_end(&c), folder, "directory");
+    assert_null(text);
+    char *path = in_folder("file", "x"), *below = base_join(path, "below");
+    capture_begin(&c);
+    good = base_make_directory(below);
+    assert_one_line(capture_end(&c), below, "Not a directory");
+    assert_false(good);
+    free(below);
+    free(path);
+}
+
+static void folders_are_made_and_listed_in_order(void **state)
+{
+    (void)state;
+    char *deep = base_join(folder, "one//two/three/");
+    assert_true(base_make_directory(deep));
+    assert_true(base_make_directory(deep));
+    const char *names_made[] = {"b.json", "a.json", "B.json", "a.txt", ".hidden.json"};
+    for (size_t i = 0; i < 5; i++) {
+        char *path = base_join(deep, names_made[i]);
+        assert_true(base_write_file(path, "", 0));
+        free(path);
+    }
+    char **names;
+    size_t count;
+    assert_true(base_list(deep, ".json", &names, &count));
+    assert_int_equal(count, 3);
+    assert_string_equal(names[0], "B.json");
+    assert_string_equal(names[1], "a.json");
+    assert_string_equal(names[2], "b.json");
+    base_list_free(names, count);
+    free(deep);
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **state)
+{
+    (void)state;
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf '%s'", folder);
+    return system(command);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_discarded_output_leaves_what_was_there),
+        cmocka_unit_test(a_link_and_a_device_stay_what_they_are),
+        cmocka_unit_test(what_cannot_be_written_or_read_is_named),
+        cmocka_unit_test(folders_are_made_and_listed_in_order),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

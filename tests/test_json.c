@@ -1,0 +1,151 @@
+/* lib/base/json: numbers that survive, layout, and what is refused. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "base/file.h"
+#include "base/json.h"
+#include "base/text.h"
+#include "capture.h"
+
+static char folder[] = "/tmp/sgfit-test-json-XXXXXX";
+
+static char *in_folder(const char *name, const char *text)
+{
+    char *path = base_join(folder, name);
+    if (text)
+        assert_true(base_write_file(path, text, strlen(text)));
+    return path;
+}
+
+static void json_numbers_survive_a_round_trip(void **state)
+{
+    (void)state;
+    static const double values[] = {0.1, 1.0 / 3.0, 5e-324, 1.7976931348623157e308,
+                                    76.087896272360737};
+    cJSON *root = cJSON_CreateObject();
+    cJSON *array = cJSON_AddArrayToObject(root, "values");
+    for (size_t i = 0; i < 5; i++)
+        cJSON_AddItemToArray(array, base_json_number(values[i]));
+    base_json_add_f64(root, "top", (double)INFINITY);
+    base_json_add_f64(root, "third", 1.0 / 3.0);
+    cJSON_AddStringToObject(root, "text", "a \"quote\",\n\ttab and \x01");
+    char *text = base_json_print(root);
+    char *path = in_folder("round.json", text);
+    cJSON *back = base_json_read(path);
+    assert_non_null(back);
+    for (int i = 0; i < 5; i++)
+        assert_true(cJSON_GetArrayItem(cJSON_GetObjectItem(back, "values"), i)->valuedouble ==
+                    values[i]);
+    double value;
+    assert_true(base_json_f64(back, path, "top", &value) && isinf(value));
+    assert_true(base_json_f64(root, path, "third", &value) && value == 1.0 / 3.0);
+    const char *string;
+    assert_true(base_json_string(back, path, "text", &string));
+    assert_string_equal(string, "a \"quote\",\n\ttab and \x01");
+    char *again = base_json_print(back);
+    assert_string_equal(again, text);
+    free(again);
+    free(text);
+    free(path);
+    cJSON_Delete(root);
+    cJSON_Delete(back);
+}
+
+static void json_layout(void **state)
+{
+    (void)state;
+    cJSON *root = cJSON_Parse("{\"a\":[1,2.5,\"x\"],\"b\":{\"c\":[[1],[2]]},\"d\":[],\"e\":{}}");
+    char *text = base_json_print(root);
+    assert_string_equal(text, "{\n  \"a\": [1, 2.5, \"x\"],\n  \"b\": {\n    \"c\": [\n      [1],\n"
+                              "      [2]\n    ]\n  },\n  \"d\": [],\n  \"e\": {}\n}\n");
+    free(text);
+    cJSON_Delete(root);
+}
+
+static void bad_json_names_file_and_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *word;
+    } bad[] = {{"", "line 1"},
+               {"{\n\"a\": 1,\n}", "line 3"},
+               {"{\n\"a\": 01}", "line 2"},
+               {"{\"a\": 1.}", "number"},
+               {"{\"a\": +1}", "number"},
+               {"{\"a\": 1e999}", "number"},
+               {"{\"a\": NaN}", "line 1"},
+               {"{} x", "line 1"},
+               {"{\"a\":\n\n\"x\ny\"}", "line 3"},
+               {"[1,\n2", "line 2"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        char *path = in_folder("bad.json", bad[i].text);
+        capture c;
+        capture_begin(&c);
+        cJSON *root = base_json_read(path);
+        assert_one_line(capture_end(&c), "bad.json", bad[i].word);
+        assert_null(root);
+        free(path);
+    }
+}
+
+static void json_fields_are_checked(void **state)
+{
+    (void)state;
+    cJSON *root = cJSON_Parse("{\"a\":1,\"b\":\"x\",\"a\":2}");
+    capture c;
+    capture_begin(&c);
+    bool good = base_json_only(root, "f.json", (const char *const[]){"a", NULL});
+    assert_one_line(capture_end(&c), "f.json", "unknown key \"b\"", "expected \"a\"");
+    assert_false(good);
+    capture_begin(&c);
+    good = base_json_only(root, "f.json", (const char *const[]){"a", "b", NULL});
+    assert_one_line(capture_end(&c), "f.json", "\"a\"", "twice");
+    assert_false(good);
+    double value;
+    const char *text;
+    const cJSON *object;
+    capture_begin(&c);
+    good = base_json_f64(root, "f.json", "b", &value);
+    assert_one_line(capture_end(&c), "f.json", "\"b\"", "a number", "a string");
+    assert_false(good);
+    capture_begin(&c);
+    good = base_json_string(root, "f.json", "a", &text);
+    assert_one_line(capture_end(&c), "f.json", "\"a\"", "a string", "a number");
+    assert_false(good);
+    capture_begin(&c);
+    good = base_json_object(root, "f.json", "z", &object);
+    assert_one_line(capture_end(&c), "f.json", "\"z\"", "an object", "nothing");
+    assert_false(good);
+    cJSON_Delete(root);
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **state)
+{
+    (void)state;
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf '%s'", folder);
+    return system(command);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(json_numbers_survive_a_round_trip),
+        cmocka_unit_test(json_layout),
+        cmocka_unit_test(bad_json_names_file_and_line),
+        cmocka_unit_test(json_fields_are_checked),
+    };
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}
