@@ -1,0 +1,21 @@
+// logistic_limits: Meder's logistic weight with a t and a u that have the exact limits at lambda = 0 and infinity.
+// computes: L
+// coefficients: t_infinity u_infinity p_1 q_1 q_2 q_3 u_1
+// source: this project; the structure is Meder and Bruederlin 2018, eqs 15 to 17
+// t -> 3/8 lambda and u -> 2 - 3/8 lambda at 0, t -> t_infinity sqrt(lambda) and u -> u_infinity/sqrt(lambda) at
+// infinity. t is a rational function of v = 1/(1 + lambda), in which nothing overflows, and 1/u - 1/2 one of t.
+// L is written as m max(z, 0) plus the rest, so that L(z) - L(-z) = z m holds exactly.
+real sg_form(real lambda, real cos_theta)
+{
+    real l = min(lambda, K(1e30));
+    real v = K(1.0) / (K(1.0) + l);
+    real p_0 = t_infinity * t_infinity;
+    real p_2 = K(0.140625) * (K(1.0) + q_1 + q_2 + q_3) - p_0 - p_1;
+    real t = l * sqrt(v * (p_0 + v * (p_1 + v * p_2)) / (K(1.0) + v * (q_1 + v * (q_2 + v * q_3))));
+    real slope = u_1 / (u_infinity * t_infinity);
+    real size = abs(cos_theta);
+    real above = K(1.0) + u_1 * t;
+    real below = (K(0.5) + t * (K(0.25) + K(0.5) * u_1 + slope * t)) * (exp(t * size) + K(1.0));
+    real m = sg_mean(lambda);
+    return sg_L_b(lambda) + m * (max(cos_theta, K(0.0)) + K(0.5) * (K(1.0) - size) * above / below);
+}
