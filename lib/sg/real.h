@@ -1,0 +1,119 @@
+/* real.h: what the generated form texts (tables/out/forms.inc) mean at one precision.
+ *
+ * Private to the methods_*.c units. A unit defines SG_PRECISION (64, 32 or 16) and includes this:
+ *   SG_REAL     the type that `real` of a form stands for
+ *   SG_K(x)     the literal x in that type
+ *   SG_NAME(x)  the name x with the precision's suffix
+ *   SG_exp ...  GLSL's built-in functions at that precision
+ *
+ * Every operation rounds to SG_REAL: half needs -fexcess-precision=16 for that (methods.cmake). */
+#ifndef SG_REAL_H
+#define SG_REAL_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#define SG_PASTE_(a, b) a##b
+#define SG_PASTE(a, b)  SG_PASTE_(a, b)
+
+#if SG_PRECISION == 64
+typedef double sg_real;
+#define SG_SUFFIX     _f64
+#define SG_LIBM(name) name
+#elif SG_PRECISION == 32
+typedef float sg_real;
+#define SG_SUFFIX     _f32
+#define SG_LIBM(name) name##f
+#elif SG_PRECISION == 16
+typedef _Float16 sg_real;
+#define SG_SUFFIX     _f16
+/* In half the C library's float function, rounded: correctly rounded but for rare ties. */
+#define SG_LIBM(name) name##f
+#else
+#error "SG_PRECISION is 64, 32 or 16"
+#endif
+
+#define SG_REAL    sg_real
+#define SG_K(x)    ((sg_real)(x))
+#define SG_NAME(x) SG_PASTE(x, SG_SUFFIX)
+
+/* glibc's vector library serves loops over these functions, but glibc declares that only under
+ * -ffast-math, which nothing here may use. The declarations change no single call. */
+#if defined(SG_SIMD) && defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) &&         \
+    defined(__GLIBC__)
+#if __GLIBC_PREREQ(2, 22)
+#define SG_VECTOR __attribute__((simd("notinbranch")))
+double exp(double) SG_VECTOR;
+float expf(float) SG_VECTOR;
+double log(double) SG_VECTOR;
+float logf(float) SG_VECTOR;
+double pow(double, double) SG_VECTOR;
+float powf(float, float) SG_VECTOR;
+#if __GLIBC_PREREQ(2, 35)
+double exp2(double) SG_VECTOR;
+float exp2f(float) SG_VECTOR;
+double log2(double) SG_VECTOR;
+float log2f(float) SG_VECTOR;
+double expm1(double) SG_VECTOR;
+double erf(double) SG_VECTOR;
+double erfc(double) SG_VECTOR;
+#endif
+#endif
+#endif
+
+#define SG_FUNCTION_1(name, libm)                                                                  \
+    static inline sg_real SG_##name(sg_real x)                                                     \
+    {                                                                                              \
+        return (sg_real)SG_LIBM(libm)(x);                                                          \
+    }
+
+SG_FUNCTION_1(exp, exp)
+SG_FUNCTION_1(exp2, exp2)
+SG_FUNCTION_1(log, log)
+SG_FUNCTION_1(log2, log2)
+SG_FUNCTION_1(sqrt, sqrt)
+SG_FUNCTION_1(floor, floor)
+SG_FUNCTION_1(abs, fabs)
+
+static inline sg_real SG_pow(sg_real x, sg_real y)
+{
+    return (sg_real)SG_LIBM(pow)(x, y);
+}
+static inline sg_real SG_inversesqrt(sg_real x)
+{
+    return SG_K(1.0) / SG_sqrt(x);
+}
+
+/* As GLSL defines them; ternaries, because fmax and fmin do not vectorise. */
+static inline sg_real SG_min(sg_real x, sg_real y)
+{
+    return y < x ? y : x;
+}
+static inline sg_real SG_max(sg_real x, sg_real y)
+{
+    return x < y ? y : x;
+}
+static inline sg_real SG_clamp(sg_real x, sg_real low, sg_real high)
+{
+    return SG_min(SG_max(x, low), high);
+}
+static inline sg_real SG_sign(sg_real x)
+{
+    return x > SG_K(0.0) ? SG_K(1.0) : x < SG_K(0.0) ? SG_K(-1.0) : SG_K(0.0);
+}
+
+/* Marks the loops of the batch functions: compiled for several instruction sets where the
+ * loader can choose between them, and always free to be vectorised. */
+#if defined(SG_SIMD)
+#define SG_LOOP _Pragma("omp simd")
+#else
+#define SG_LOOP
+#endif
+#if defined(SG_SIMD) && defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) &&         \
+    defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define SG_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
+#else
+#define SG_CLONES
+#endif
+
+#endif
