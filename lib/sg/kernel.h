@@ -11,18 +11,19 @@
  * H_b and int x e^-x I1(x)/x. Under the integral e^-lambda e^x is written e^-E e^-u with
  * E = lambda (1 - cos a), which is needed to 1e-15 absolute though it may be 600 and is therefore
  * carried in two doubles, and u = lambda (cos a - cos(a + t)), at which no care is needed: the
- * integral is cut where u = 40. The variable is T = tan(t/2), which makes everything under the
- * integral rational but for one exponential and one square root. */
+ * integral is cut where u = 40. The variable is y = sin(t/2): sin(t) dt = 4 y dy, and at the
+ * horizon u is 2 lambda y^2, the easiest exponent for a Gauss rule. */
 #ifndef SG_KERNEL_H
 #define SG_KERNEL_H
 
 #include "bessel_table.inc"
 #include "double2.h"
 
-#define SG_PI     3.14159265358979323846
-#define SG_TWO_PI 6.28318530717958647693
-#define SG_PI_HI  0x1.921fb54442d18p+1
-#define SG_PI_LO  0x1.1a62633145c07p-53
+#define SG_PI      3.14159265358979323846
+#define SG_TWO_PI  6.28318530717958647693
+#define SG_PI_HI   0x1.921fb54442d18p+1
+#define SG_PI_LO   0x1.1a62633145c07p-53
+#define SG_PI_REST (-0x1.f1976b7ed8fbcp-109)
 
 /* What depends on lambda alone, each over 2 pi and times kappa = max(1, lambda), so that nothing
  * underflows: the integrals over the sphere and at the poles, the slope of the odd part. */
@@ -95,7 +96,7 @@ static inline sg_sharpness sg_sharpness_of(double lambda)
 typedef struct sg_direction {
     double sine, cosine;   /* of a, both in [0, 1] */
     double one_minus_sine; /* accurate next to the poles */
-    double pole_tangent;   /* tan(delta/2) */
+    double pole_sine;      /* sin(delta/2) */
     sg_double2 one_minus_cosine;
     double z; /* cos beta = +-sine */
 } sg_direction;
@@ -122,7 +123,7 @@ static inline sg_direction sg_direction_of_cosine(double z)
     d.sine = sine;
     d.cosine = root;
     d.one_minus_sine = 1.0 - sine;
-    d.pole_tangent = root / (1.0 + sine);
+    d.pole_sine = sqrt(0.5 * d.one_minus_sine);
     d.one_minus_cosine = (sg_double2){quotient, remainder / divisor.hi};
     d.z = z < 0.0 ? -sine : sine;
     return d;
@@ -156,9 +157,12 @@ static inline sg_double2 sg_versine(sg_double2 a)
 
 static inline sg_direction sg_direction_of_angle(double beta)
 {
-    /* a = |beta - pi/2| in two doubles, because pi/2 is not a double */
-    sg_double2 a = sg_two_sum(beta, -0.5 * SG_PI_HI);
-    a.lo -= 0.5 * SG_PI_LO;
+    /* a = |beta - pi/2| in two doubles, from three of pi, because pi/2 is not a double and all of
+     * a may lie in what the first one leaves */
+    sg_double2 coarse = sg_two_sum(beta, -0.5 * SG_PI_HI);
+    sg_double2 fine = sg_two_sum(coarse.lo, -0.5 * SG_PI_LO);
+    sg_double2 a = sg_two_sum(coarse.hi, fine.hi);
+    a.lo += fine.lo - 0.5 * SG_PI_REST;
     int below = beta > 0.5 * SG_PI_HI;
     a.hi = below ? a.hi : -a.hi;
     a.lo = below ? a.lo : -a.lo;
@@ -187,7 +191,7 @@ static inline sg_direction sg_direction_of_angle(double beta)
     d.sine = near_horizon ? sine : 1.0 - versine;
     d.cosine = near_horizon ? 1.0 - versine : sine;
     d.one_minus_sine = near_horizon ? 1.0 - sine : versine;
-    d.pole_tangent = d.cosine / (1.0 + d.sine);
+    d.pole_sine = sqrt(0.5 * d.one_minus_sine);
     d.one_minus_cosine = sg_versine(a);
     d.z = below ? -d.sine : d.sine;
     return d;
@@ -207,13 +211,15 @@ static inline double sg_horizon_factor(const sg_sharpness *s, const sg_direction
     return shown ? value : 0.0;
 }
 
-/* The upper end of the integral in T: the pole, or where u = 40. */
+/* The upper end of the integral in y: the pole, or where u = 40, which is a quadratic equation
+ * in the tangent of half the angle. */
 static inline double sg_cut(const sg_sharpness *s, const sg_direction *d)
 {
     double y = 40.0 / s->kappa;
     double under = d->sine * d->sine + y * (2.0 * d->cosine - y);
-    double cut = y / (d->sine + sqrt(under > 0.0 ? under : 0.0));
-    return s->lambda * d->cosine <= 40.0 ? d->pole_tangent : cut;
+    double tangent = y / (d->sine + sqrt(under > 0.0 ? under : 0.0));
+    double cut = tangent / sqrt(1.0 + tangent * tangent);
+    return s->lambda * d->cosine <= 40.0 ? d->pole_sine : cut;
 }
 
 /* The piecewise polynomial of bessel_table.inc at r in [0, 1/8]. */
@@ -235,26 +241,24 @@ static inline double sg_piece(const double *table, double r)
     return value * y + c[0];
 }
 
-/* Integrand of A_h at T = t, less a factor 4, and of H, less a factor 2: e^-u times the source,
+/* Integrand of A_h at y, less a factor 4, and of H, less a factor 2: e^-u times the source,
  * times what the change of variable brings. Both are written with x r, which cannot overflow. */
-static inline double sg_even_node(double lambda, double sine, double cosine, double t)
+static inline double sg_even_node(double lambda, double sine, double cosine, double y)
 {
-    double p = 1.0 / (1.0 + t * t);
-    double u = lambda * (2.0 * t * p * (sine + cosine * t));
+    double u = lambda * (2.0 * y * (sine * sqrt(1.0 - y * y) + cosine * y));
     double x = lambda * cosine - u;
     x = x > 0.0 ? x : 0.0;
     double r = 1.0 / (x + (double)SG_BESSEL_SHIFT), ratio = x * r;
-    return t * p * p * sg_exp_minus_small(u) * ratio * ratio * sqrt(r) *
-           sg_piece(sg_bessel_even[0], r);
+    return y * sg_exp_minus_small(u) * (ratio * ratio) * sqrt(r) * sg_piece(sg_bessel_even[0], r);
 }
 
-static inline double sg_odd_node(double lambda, double sine, double cosine, double t)
+static inline double sg_odd_node(double lambda, double sine, double cosine, double y)
 {
-    double p = 1.0 / (1.0 + t * t);
-    double u = lambda * (2.0 * t * p * (sine + cosine * t));
+    double root = sqrt(1.0 - y * y);
+    double u = lambda * (2.0 * y * (sine * root + cosine * y));
     double x = lambda * cosine - u;
     x = x > 0.0 ? x : 0.0;
     double r = 1.0 / (x + (double)SG_BESSEL_SHIFT);
-    return p * sg_exp_minus_small(u) * (x * r) * sqrt(r) * sg_piece(sg_bessel_odd[0], r);
+    return sg_exp_minus_small(u) * (x * r) * sqrt(r) * sg_piece(sg_bessel_odd[0], r) / root;
 }
 #endif
