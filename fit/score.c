@@ -191,6 +191,12 @@ void score_rows(const score_subject *subject, score_precision precision,
         finish(&rows[i]);
 }
 
+static void score_nothing(score_result *result)
+{
+    *result = nothing;
+    finish(result);
+}
+
 void score_run(const score_subject *subject, score_precision precision, score_result *result)
 {
     score_row rows[SCORE_LAMBDAS];
@@ -228,7 +234,10 @@ score_subject score_method_subject(const sg_method *method, score_precision prec
 void score_method(const sg_method *method, score_precision precision, score_result *result)
 {
     score_subject subject = score_method_subject(method, precision);
-    score_run(&subject, precision, result);
+    if (precision == SCORE_F16 && !method->L_f16)
+        score_nothing(result); /* a compiler without half */
+    else
+        score_run(&subject, precision, result);
 }
 
 typedef struct free_form {
@@ -259,6 +268,10 @@ static double form_narrow(const void *context, double lambda, double cos_theta)
 void score_form(const sg_form *form, const double *coefficients, double lambda_min,
                 double lambda_max, score_precision precision, score_result *result)
 {
+    if (precision == SCORE_F16 && !form->f16) {
+        score_nothing(result);
+        return;
+    }
     size_t count = (size_t)form->coefficient_count;
     float *narrow = malloc(sizeof(float) * (count + 1));
     if (!narrow)

@@ -8,6 +8,8 @@
  * is the reference at those rounded arguments, so that what is measured is the method and not the
  * rounding of its arguments. A result that is not finite counts as an infinite error at its place.
  *
+ * Where the compiler has no half, scores in half have points == 0 and errors of NaN.
+ *
  * The reference tables (one for each precision) are computed at first use, on all cores, and
  * kept for the life of the process. Everything here may be called from several threads. */
 #ifndef FIT_SCORE_H

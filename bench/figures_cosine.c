@@ -1,0 +1,121 @@
+/* figures_cosine.c: Tokuyoshi's figure 2: the clamped cosine as a lobe less a constant, and how far
+ * each set of constants is from it. */
+#include <math.h>
+#include <stdio.h>
+
+#include "html.h"
+#include "plot.h"
+#include "report.h"
+
+enum { POINTS = 201, CURVES_MAX = 8 };
+
+/* amplitude exp(sharpness (z - 1)) - offset - z, z = cos of the angle to the normal. */
+typedef struct lobe_cosine {
+    char label[80];
+    double sharpness, amplitude, offset;
+    int colour;
+    plot_style style;
+} lobe_cosine;
+
+static double error_at(const lobe_cosine *c, double z)
+{
+    /* amplitude - offset is near 1 and both are large: take the lobe's difference from its peak */
+    return c->amplitude * expm1(c->sharpness * (z - 1.0)) + (c->amplitude - c->offset) - z;
+}
+
+static size_t add_family(const char *published, lobe_cosine *curves, size_t count)
+{
+    report_model models[REPORT_MODELS_MAX];
+    size_t family = report_family(published, models);
+    for (size_t i = 0; i < family && count < CURVES_MAX; i++) {
+        const sg_method *m = models[i].method;
+        char label[64];
+        lobe_cosine c = {.sharpness = report_coefficient(m, "cosine_sharpness"),
+                         .amplitude = report_coefficient(m, "cosine_amplitude"),
+                         .offset = report_coefficient(m, "cosine_offset")};
+        double alpha = report_coefficient(m, "alpha");
+        if (isfinite(alpha)) { /* alpha (e^sharpness G - 1) */
+            c.amplitude = alpha * exp(c.sharpness);
+            c.offset = alpha;
+        }
+        bool known = false; /* a refit of the steepness alone has the same cosine */
+        for (size_t j = 0; j < count; j++)
+            known = known || (curves[j].sharpness == c.sharpness && curves[j].offset == c.offset);
+        if (known || !isfinite(c.sharpness + c.amplitude + c.offset))
+            continue;
+        snprintf(c.label, sizeof c.label, "%s", report_label(&models[i], label));
+        c.colour = 1 + (int)count;
+        c.style = models[i].ours ? PLOT_LINE : PLOT_DASHED;
+        curves[count++] = c;
+    }
+    return count;
+}
+
+bool report_cosine(report *report)
+{
+    lobe_cosine curves[CURVES_MAX];
+    size_t count = add_family("meder_2018_hg", curves, 0);
+    if (count) { /* the poster's misprint, beside what it misprints */
+        curves[count] = curves[0];
+        curves[count].offset = 31.703;
+        curves[count].colour = 8;
+        curves[count].style = PLOT_DOTTED;
+        snprintf(curves[count].label, sizeof curves[count].label,
+                 "meder_2018_hg with the poster's 31.703");
+        count++;
+    }
+    count = add_family("tokuyoshi_2022", curves, count);
+    const char *names[CURVES_MAX + 2] = {"cos_theta"};
+    plot_series series[CURVES_MAX];
+    for (size_t i = 0; i < count; i++) {
+        names[1 + i] = curves[i].label;
+        series[i] =
+            (plot_series){curves[i].label, 1 + (int)i, curves[i].colour, curves[i].style, 0};
+    }
+    data_table *data = data_new(names), *sizes = data_new(names);
+    double worst[CURVES_MAX] = {0.0};
+    for (int j = 0; j < POINTS; j++) {
+        double z = (double)j / (POINTS - 1), row[CURVES_MAX + 1] = {z};
+        for (size_t i = 0; i < count; i++) {
+            row[1 + i] = error_at(&curves[i], z);
+            worst[i] = fmax(worst[i], fabs(row[1 + i]));
+        }
+        data_row(data, row);
+        for (size_t i = 0; i < count; i++)
+            row[1 + i] = fabs(row[1 + i]) > 1e-9 ? fabs(row[1 + i]) : (double)NAN;
+        data_row(sizes, row);
+    }
+    plot p = {.id = "tokuyoshi_2",
+              .title = "difference from the clamped cosine",
+              .x_label = "cosine of the angle to the normal",
+              .y_label = "approximation − cosine",
+              .x_range = {0.0, 1.0},
+              .data = data,
+              .series = series,
+              .series_count = count};
+    figure_begin(report->page, "tokuyoshi-2");
+    bool done = count == 0 || figure_panel(report->page, &p);
+    p.id = "tokuyoshi_2_log";
+    p.title = "its size, logarithmic";
+    p.y_label = "|approximation − cosine|";
+    p.y_log = true;
+    p.y_range[0] = 1e-6;
+    p.y_range[1] = 1e-1;
+    p.data = sizes;
+    done = done && (count == 0 || figure_panel(report->page, &p));
+    data_free(data);
+    data_free(sizes);
+    FILE *out = page_html(report->page);
+    fputs("</div>\n<figcaption>Tokuyoshi's figure 2: a lobe less a constant against the clamped "
+          "cosine, over the upper hemisphere. Largest differences: ",
+          out);
+    for (size_t i = 0; i < count; i++) {
+        char text[HTML_NUMBER_SIZE];
+        fprintf(out, "%s<code>%s</code> %s", i ? ", " : "", curves[i].label,
+                html_number(worst[i], 2, text));
+    }
+    fputs(". The poster's smaller sharpness gains three decades, and pays for them with two "
+          "numbers of about 1200 whose difference is taken.</figcaption>\n</figure>\n",
+          out);
+    return done;
+}

@@ -1,0 +1,71 @@
+/* report.h: the error report: what its sections share. Private to bench.
+ *
+ * A section is a row of the table in report.c: an id, a title and a function that writes it. */
+#ifndef BENCH_REPORT_H
+#define BENCH_REPORT_H
+
+#include <stdbool.h>
+
+#include "page.h"
+#include "score.h"
+#include "sg.h"
+
+typedef struct report {
+    page *page;
+    size_t methods;                           /* of the registry, */
+    score_result (*scores)[SCORE_PRECISIONS]; /* and their scores, in its order */
+    double batch_speed_up; /* of sg_A_h_batch over single calls; 0: not measured */
+} report;
+
+typedef struct report_section {
+    const char *id, *title;
+    bool (*write)(report *report); /* false after one line on standard error */
+} report_section;
+
+/* The sections, each in the file that its comment names. */
+bool report_headline(report *report);   /* report_headline.c */
+bool report_accuracy(report *report);   /* report_accuracy.c */
+bool report_float(report *report);      /* report_float.c */
+bool report_curves(report *report);     /* figures_curves.c */
+bool report_steepness(report *report);  /* figures_steepness.c */
+bool report_rmse(report *report);       /* figures_rmse.c */
+bool report_cosine(report *report);     /* figures_cosine.c */
+bool report_hemisphere(report *report); /* figures_hemisphere.c */
+bool report_fits(report *report);       /* report_fits.c */
+bool report_routes(report *report);     /* report_routes.c */
+bool report_formulas(report *report);   /* report_formulas.c */
+bool report_machine(report *report);    /* report_machine.c */
+
+/* `sgfit report`. */
+int report_command(int argc, char **argv);
+
+/* ---- report_models.c: which methods a figure shows ----------------------------------------- */
+
+enum { REPORT_MODELS_MAX = 6 };
+
+typedef struct report_model {
+    const sg_method *method;
+    bool ours; /* coefficients fitted here, rather than published */
+} report_model;
+
+/* The published model of that id, in its stable form where there is one (the same model, and
+ * defined everywhere), then the refits of it that the registry holds. Returns how many. */
+size_t report_family(const char *published, report_model models[REPORT_MODELS_MAX]);
+
+/* "id" of a published model's stable form is shown without its ending; else the id. */
+const char *report_label(const report_model *model, char text[64]);
+
+/* A coefficient of a method by name; NaN where the form has none of that name. */
+double report_coefficient(const sg_method *method, const char *name);
+
+/* Meder's curves c and s of a method: its A_h between its poles' exact values (eqs 15, 16). */
+double report_c(const sg_method *method, double lambda, double cos_theta);
+double report_s(const sg_method *method, double lambda, double cos_theta);
+
+/* The steepness t and the height u of the logistic curve that the method's s follows. */
+void report_logistic(const sg_method *method, double lambda, double *t, double *u);
+
+/* i-th of n values, logarithmic from low to high. */
+double report_logarithmic(double low, double high, size_t i, size_t n);
+
+#endif
