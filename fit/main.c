@@ -50,7 +50,7 @@ static void occupy_standard_streams(void)
 static int run(int argc, char **argv)
 {
     if (argc < 2) {
-        base_error("expected a command (sgfit --help lists them)");
+        base_error("expected a command, found nothing (sgfit --help lists them)");
         return BASE_USAGE;
     }
     const char *name = argv[1];
@@ -64,7 +64,7 @@ static int run(int argc, char **argv)
     }
     const base_command *command = find_command(name);
     if (!command) {
-        base_error("unknown %s \"%s\" (sgfit --help lists the commands)",
+        base_error("unknown %s \"%s\", expected one that sgfit --help lists",
                    name[0] == '-' ? "option" : "command", name);
         return BASE_USAGE;
     }

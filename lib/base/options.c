@@ -103,8 +103,8 @@ static bool take_option(int argc, char **argv, int *i, const char *command,
     size_t length = strcspn(name, "=");
     const base_option *option = find_option(options, count, name, length);
     if (argv[*i][1] != '-' || !option) {
-        base_error("%s: unknown option \"%s\" (sgfit %s --help lists them)", command, argv[*i],
-                   command);
+        base_error("%s: unknown option \"%s\", expected one that sgfit %s --help lists", command,
+                   argv[*i], command);
         return false;
     }
     const char *value = name[length] == '=' ? name + length + 1 : NULL;
