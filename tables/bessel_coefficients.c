@@ -103,25 +103,32 @@ static double interpolate(arb_poly_t polynomial, int piece, int odd)
     return neglected;
 }
 
+/* One row for each power of y, one column for each piece. */
 static void write_function(const char *name, int odd)
 {
+    static double table[degree + 1][pieces];
     arb_poly_t polynomial;
     arb_t coefficient;
     double worst = 0.0;
     arb_poly_init(polynomial);
     arb_init(coefficient);
-    printf("static const double %s[SG_BESSEL_PIECES][SG_BESSEL_DEGREE + 1] = {\n", name);
     for (int piece = 0; piece < pieces; piece++) {
         double neglected = interpolate(polynomial, piece, odd);
         worst = neglected > worst ? neglected : worst;
-        printf("    {");
         for (int i = 0; i <= degree; i++) {
             arb_poly_get_coeff_arb(coefficient, polynomial, i);
-            printf("%s%.17g", i % 4 ? ", " : i ? ",\n     " : "", nearest(coefficient));
+            table[i][piece] = nearest(coefficient);
         }
+    }
+    printf("/* first neglected Chebyshev coefficient: at most %.1e of the mean */\n", worst);
+    printf("static const double %s[SG_BESSEL_DEGREE + 1][SG_BESSEL_PIECES] = {\n", name);
+    for (int i = 0; i <= degree; i++) {
+        printf("    {");
+        for (int piece = 0; piece < pieces; piece++)
+            printf("%s%.17g", piece % 4 ? ", " : piece ? ",\n     " : "", table[i][piece]);
         printf("},\n");
     }
-    printf("}; /* first neglected Chebyshev coefficient: at most %.1e of the mean */\n\n", worst);
+    printf("};\n\n");
     arb_poly_clear(polynomial);
     arb_clear(coefficient);
 }

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <string.h>
 
 typedef struct sg_double2 {
     double hi, lo;
@@ -28,13 +27,29 @@ static inline sg_double2 sg_two_product(double a, double b)
                         ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
 }
 
-/* e^(n ln 2 - hi - lo), |that| < 0.35, with n the integer nearest to hi/ln 2, left in *bits as a
- * 64-bit integer: adding 1.5 2^52 rounds to an integer and leaves it in the low bits. */
-static inline double sg_exp_reduced(double hi, double lo, int64_t *bits)
+/* The 64 bits of a double; a union, because loops over it vectorise. */
+typedef union sg_bits {
+    double value;
+    int64_t bits;
+} sg_bits;
+
+/* Adding 1.5 2^52 to a double below 2^51 rounds it to an integer and leaves that in the low bits.
+ */
+#define SG_ROUND      0x1.8p52
+#define SG_ROUND_BITS INT64_C(0x4338000000000000)
+
+/* e^(n ln 2 - hi - lo), |that| < 0.35, and n, the integer nearest to hi/ln 2. */
+typedef struct sg_exp_parts {
+    double value;
+    int64_t n;
+} sg_exp_parts;
+
+static inline sg_exp_parts sg_exp_reduced(double hi, double lo)
 {
-    const double ln2_hi = 0x1.62e42feep-1, ln2_lo = 0x1.a39ef35793c76p-33, round = 0x1.8p52;
-    double shifted = hi * 1.44269504088896340736 + round;
-    double n = shifted - round;
+    const double ln2_hi = 0x1.62e42feep-1, ln2_lo = 0x1.a39ef35793c76p-33;
+    sg_bits shifted;
+    shifted.value = hi * 1.44269504088896340736 + SG_ROUND;
+    double n = shifted.value - SG_ROUND;
     double r = ((n * ln2_hi - hi) + n * ln2_lo) - lo;
     double q = 1.0 / 6227020800.0;
     q = q * r + 1.0 / 479001600.0;
@@ -48,35 +63,31 @@ static inline double sg_exp_reduced(double hi, double lo, int64_t *bits)
     q = q * r + 1.0 / 24.0;
     q = q * r + 1.0 / 6.0;
     q = q * r + 0.5;
-    memcpy(bits, &shifted, sizeof *bits);
-    *bits -= 0x4338000000000000; /* the bits of 1.5 2^52 */
-    return 1.0 + (r + r * r * q);
+    return (sg_exp_parts){1.0 + (r + r * r * q), shifted.bits - SG_ROUND_BITS};
 }
 
 /* 2^-n for n in [-1023, 1022] */
 static inline double sg_power_minus(int64_t n)
 {
-    int64_t bits = (int64_t)((uint64_t)(1023 - n) << 52);
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
+    sg_bits power;
+    power.bits = (int64_t)((uint64_t)(1023 - n) << 52);
+    return power.value;
 }
 
 /* e^-u for u in [0, 700] */
 static inline double sg_exp_minus_small(double u)
 {
-    int64_t n;
-    double value = sg_exp_reduced(u, 0.0, &n);
-    return value * sg_power_minus(n);
+    sg_exp_parts parts = sg_exp_reduced(u, 0.0);
+    return parts.value * sg_power_minus(parts.n);
 }
 
 /* e^-(hi + lo) for hi >= 0 and lo below an ulp of hi; 0 from 746 on. */
 static inline double sg_exp_minus(double hi, double lo)
 {
-    int64_t n;
-    double value = sg_exp_reduced(hi < 800.0 ? hi : 800.0, lo, &n);
+    sg_exp_parts parts = sg_exp_reduced(hi < 800.0 ? hi : 800.0, lo);
     /* in two steps, because 2^-1074 is below the normal range */
-    return value * sg_power_minus(n >> 1) * sg_power_minus(n - (n >> 1));
+    int64_t half = (int64_t)((uint64_t)parts.n >> 1);
+    return parts.value * sg_power_minus(half) * sg_power_minus(parts.n - half);
 }
 
 #endif

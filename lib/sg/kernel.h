@@ -222,23 +222,27 @@ static inline double sg_cut(const sg_sharpness *s, const sg_direction *d)
     return s->lambda * d->cosine <= 40.0 ? d->pole_sine : cut;
 }
 
-/* The piecewise polynomial of bessel_table.inc at r in [0, 1/8]. */
-static inline double sg_piece(const double *table, double r)
+/* The piecewise polynomial of bessel_table.inc at r in [0, 1/8]. The table holds one row for each
+ * power, so that a lookup is one index into a fixed array, which vectorises as a gather. */
+static inline double sg_piece(const double table[SG_BESSEL_DEGREE + 1][SG_BESSEL_PIECES], double r)
 {
     double place = r * (double)(SG_BESSEL_SHIFT * SG_BESSEL_PIECES);
-    int piece = (int)place;
-    piece = piece < SG_BESSEL_PIECES ? piece : SG_BESSEL_PIECES - 1;
-    double y = 2.0 * (place - (double)piece) - 1.0;
-    const double *c = table + piece * (SG_BESSEL_DEGREE + 1);
-    double value = c[8];
-    value = value * y + c[7];
-    value = value * y + c[6];
-    value = value * y + c[5];
-    value = value * y + c[4];
-    value = value * y + c[3];
-    value = value * y + c[2];
-    value = value * y + c[1];
-    return value * y + c[0];
+    /* a factor just below 1, so that the end of the range falls to the last piece without a
+     * selection, which compilers turn into a branch */
+    double piece = ((place * (1.0 - 0x1p-20) - 0.5) + SG_ROUND) - SG_ROUND;
+    double y = 2.0 * (place - piece) - 1.0;
+    sg_bits shifted;
+    shifted.value = piece + SG_ROUND;
+    int64_t index = shifted.bits - SG_ROUND_BITS;
+    double value = table[8][index];
+    value = value * y + table[7][index];
+    value = value * y + table[6][index];
+    value = value * y + table[5][index];
+    value = value * y + table[4][index];
+    value = value * y + table[3][index];
+    value = value * y + table[2][index];
+    value = value * y + table[1][index];
+    return value * y + table[0][index];
 }
 
 /* Integrand of A_h at y, less a factor 4, and of H, less a factor 2: e^-u times the source,
@@ -247,9 +251,9 @@ static inline double sg_even_node(double lambda, double sine, double cosine, dou
 {
     double u = lambda * (2.0 * y * (sine * sqrt(1.0 - y * y) + cosine * y));
     double x = lambda * cosine - u;
-    x = x > 0.0 ? x : 0.0;
+    x = 0.5 * x + 0.5 * fabs(x); /* max(x, 0) without a branch */
     double r = 1.0 / (x + (double)SG_BESSEL_SHIFT), ratio = x * r;
-    return y * sg_exp_minus_small(u) * (ratio * ratio) * sqrt(r) * sg_piece(sg_bessel_even[0], r);
+    return y * sg_exp_minus_small(u) * (ratio * ratio) * sqrt(r) * sg_piece(sg_bessel_even, r);
 }
 
 static inline double sg_odd_node(double lambda, double sine, double cosine, double y)
@@ -257,8 +261,8 @@ static inline double sg_odd_node(double lambda, double sine, double cosine, doub
     double root = sqrt(1.0 - y * y);
     double u = lambda * (2.0 * y * (sine * root + cosine * y));
     double x = lambda * cosine - u;
-    x = x > 0.0 ? x : 0.0;
+    x = 0.5 * x + 0.5 * fabs(x); /* max(x, 0) without a branch */
     double r = 1.0 / (x + (double)SG_BESSEL_SHIFT);
-    return sg_exp_minus_small(u) * (x * r) * sqrt(r) * sg_piece(sg_bessel_odd[0], r) / root;
+    return sg_exp_minus_small(u) * (x * r) * sqrt(r) * sg_piece(sg_bessel_odd, r) / root;
 }
 #endif
