@@ -1,8 +1,11 @@
 /* commands.c: what this room adds to the program. */
 #include "bench.h"
+#include "bench_command.h"
 #include "report.h"
 
 const base_command bench_commands[] = {
     {"report", "write the error report: HTML to read, CSV behind every plot", report_command},
+    {"bench", "measure what every method costs: GPU instructions, CPU, Vulkan device",
+     bench_command},
     {NULL, NULL, NULL},
 };

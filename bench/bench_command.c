@@ -1,0 +1,65 @@
+/* bench_command.c: sgfit bench. */
+#include "bench_command.h"
+
+#include <stdlib.h>
+
+#include "base/file.h"
+#include "base/options.h"
+#include "base/text.h"
+#include "cost.h"
+
+static int write_all(const cost_table *table, const char *out, const char *counts)
+{
+    bool good = true;
+    if (counts)
+        good = cost_write_csv(table, counts, true);
+    if (good && out) {
+        char *csv = base_join(out, "cost.csv"), *json = base_join(out, "cost.json");
+        good = base_make_directory(out) && cost_write_csv(table, csv, false) &&
+               cost_write_json(table, json);
+        free(csv);
+        free(json);
+    }
+    return good ? BASE_DONE : BASE_FAILED;
+}
+
+int bench_command(int argc, char **argv)
+{
+    const char *out = NULL, *counts = NULL, *device = "llvmpipe", *only = NULL;
+    bool quick = false;
+    const base_usage usage = {
+        "bench", "--out DIR [options]",
+        "Measures what every method costs: GPU instructions (RADV compiles for hardware that need "
+        "not be there), nanoseconds on this CPU, time on a Vulkan device as a ratio to an empty "
+        "shader; writes DIR/cost.csv and DIR/cost.json."};
+    const base_option options[] = {
+        {"out", BASE_STRING, &out, "DIR", "where cost.csv and cost.json go", NULL},
+        {"counts", BASE_STRING, &counts, "FILE",
+         "write errors and instruction counts alone, which are the same in every run, to FILE "
+         "(tables/cost.csv is made with this)",
+         NULL},
+        {"method", BASE_STRING, &only, "ID", "this method alone", NULL},
+        {"device", BASE_STRING, &device, "NAME",
+         "part of the Vulkan device's name (default: llvmpipe, the software driver)", NULL},
+        {"quick", BASE_FLAG, &quick, NULL, "fewer samples", NULL}};
+    int status =
+        base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options, NULL);
+    if (status >= 0)
+        return status;
+    if (!out && !counts) {
+        base_error("bench: expected --out DIR or --counts FILE");
+        return BASE_USAGE;
+    }
+    if (only && !sg_method_find(only)) {
+        base_error("bench: expected --method to name a method (see sgfit methods), found %s", only);
+        return BASE_USAGE;
+    }
+    if (out && !base_make_directory(out))
+        return BASE_FAILED;
+    cost_table table;
+    if (!cost_measure(&table, &(cost_options){device, only, quick, out == NULL}))
+        return BASE_FAILED;
+    status = write_all(&table, out, counts);
+    cost_table_free(&table);
+    return status;
+}

@@ -1,0 +1,10 @@
+/* machine.h: what a measurement was made with, for the files that hold it. */
+#ifndef BENCH_MACHINE_H
+#define BENCH_MACHINE_H
+
+#include <cjson/cJSON.h>
+
+/* Processor, cores, system, compiler, C library, version of this program. */
+void machine_add_json(cJSON *object);
+
+#endif
