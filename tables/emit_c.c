@@ -51,13 +51,15 @@ static void function(buffer *out, const form *text)
 }
 
 /* In the double unit, where the text would only be accurate to float. */
-static void library_function(buffer *out, const form *helper)
+static void stand_in(buffer *out, const form_list *forms, const form *helper)
 {
     static const char *const names[] = {"x", "y", "z", "w"};
-    buffer_print(out, "static inline SG_REAL SG_NAME(%s)(", helper->id);
+    const char *other = helper->c_double;
+    bool known = forms_helper(forms, other, strlen(other)) < forms->helper_count;
+    buffer_print(out, "SG_INLINE SG_REAL SG_NAME(%s)(", helper->id);
     for (size_t i = 0; i < helper->parameter_count && i < 4; i++)
         buffer_print(out, "%sSG_REAL %s", i ? ", " : "", names[i]);
-    buffer_print(out, ") { return %s(", helper->c_double);
+    buffer_print(out, known ? ") { return SG_NAME(%s)(" : ") { return SG_%s(", other);
     for (size_t i = 0; i < helper->parameter_count && i < 4; i++)
         buffer_print(out, "%s%s", i ? ", " : "", names[i]);
     buffer_add(out, "); }\n");
@@ -74,17 +76,17 @@ void emit_forms_inc(buffer *out, const form_list *forms)
         buffer_print(out, "\n// %s: %s\n", helper->id, helper->about);
         if (helper->c_double) {
             buffer_add(out, "#if SG_PRECISION == 64\n");
-            library_function(out, helper);
+            stand_in(out, forms, helper);
             buffer_add(out, "#else\n");
         }
-        buffer_add(out, "static inline ");
+        buffer_add(out, "SG_INLINE ");
         function(out, helper);
         if (helper->c_double)
             buffer_add(out, "#endif\n");
     }
     for (size_t i = 0; i < forms->form_count; i++) {
         const form *text = &forms->forms[i];
-        buffer_print(out, "\n// %s: %s\nstatic inline ", text->id, text->about);
+        buffer_print(out, "\n// %s: %s\nSG_INLINE ", text->id, text->about);
         function(out, text);
     }
     buffer_add(out, "\n#if defined(__GNUC__)\n#pragma GCC diagnostic pop\n#endif\n");

@@ -45,6 +45,10 @@ static void header_line(form *text, const char *line, size_t length, bool first,
     char **place = key == 0 ? &text->computes : key == 2 ? &text->source : &text->c_double;
     size_t id = strlen(text->id);
     if (key == 1) {
+        /* A second line of this kind replaces the first. */
+        for (size_t i = 0; i < text->coefficient_count; i++)
+            free(text->coefficients[i]);
+        free(text->coefficients);
         text->coefficients = words(value, &text->coefficient_count);
         free(value);
     } else if (key < 4) {
@@ -141,8 +145,11 @@ static bool visit(const form_list *list, size_t at, char *state, size_t *order, 
         return false;
     }
     state[at] = 1;
+    size_t stand_in =
+        text->c_double ? forms_helper(list, text->c_double, strlen(text->c_double)) : 0;
     for (size_t i = 0; i < list->helper_count; i++) {
-        if (text->uses[i] && !visit(list, i, state, order, count))
+        bool called = text->uses[i] || (text->c_double && i == stand_in);
+        if (called && !visit(list, i, state, order, count))
             return false;
     }
     state[at] = 2;

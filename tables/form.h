@@ -44,7 +44,8 @@ typedef struct form {
     char *notes;    /* further comment lines, each ended by a newline; may be "" */
     char *computes; /* forms: A_h or L */
     char *source;   /* may be NULL */
-    char *c_double; /* helpers: the C library's function for double, or NULL */
+    char *c_double; /* helpers: what stands in for it in the double unit, a function of the C
+                       library or another helper; or NULL */
     char **coefficients;
     size_t coefficient_count;
     token *tokens; /* of the function, blanks and comments included; ends with TOKEN_END */

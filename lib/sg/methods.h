@@ -31,12 +31,12 @@
 #define SG_A_h_FROM_L(value, lambda, cos_theta)   SG_NAME(sg_A_h_from_L)(value, lambda)
 
 #define SG_CORES(ID, FORM, NATIVE)                                                                 \
-    static inline SG_REAL SG_NAME(core_A_h_##ID)(SG_REAL lambda, SG_REAL cos_theta)                \
+    SG_INLINE SG_REAL SG_NAME(core_A_h_##ID)(SG_REAL lambda, SG_REAL cos_theta)                    \
     {                                                                                              \
         SG_REAL value = SG_NAME(form_##FORM)(lambda, cos_theta, SG_NAME(sg_coefficients_##ID));    \
         return SG_A_h_FROM_##NATIVE(value, lambda, cos_theta);                                     \
     }                                                                                              \
-    static inline SG_REAL SG_NAME(core_L_##ID)(SG_REAL lambda, SG_REAL cos_theta)                  \
+    SG_INLINE SG_REAL SG_NAME(core_L_##ID)(SG_REAL lambda, SG_REAL cos_theta)                      \
     {                                                                                              \
         SG_REAL value = SG_NAME(form_##FORM)(lambda, cos_theta, SG_NAME(sg_coefficients_##ID));    \
         return SG_L_FROM_##NATIVE(value, lambda, cos_theta);                                       \

@@ -4,6 +4,7 @@
  *   SG_REAL     the type that `real` of a form stands for
  *   SG_K(x)     the literal x in that type
  *   SG_NAME(x)  the name x with the precision's suffix
+ *   SG_INLINE   how the texts' functions are declared
  *   SG_exp ...  GLSL's built-in functions at that precision
  *
  * Every operation rounds to SG_REAL: half needs -fexcess-precision=16 for that (methods.cmake). */
@@ -37,6 +38,13 @@ typedef _Float16 sg_real;
 #define SG_K(x)    ((sg_real)(x))
 #define SG_NAME(x) SG_PASTE(x, SG_SUFFIX)
 
+/* A loop with a call left in it does not vectorise, whatever the compiler thinks of the size. */
+#if defined(__GNUC__)
+#define SG_INLINE static inline __attribute__((always_inline))
+#else
+#define SG_INLINE static inline
+#endif
+
 /* glibc's vector library serves loops over these functions, but glibc declares that only under
  * -ffast-math, which nothing here may use. The declarations change no single call. */
 #if defined(SG_SIMD) && defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) &&         \
@@ -62,42 +70,83 @@ double erfc(double) SG_VECTOR;
 #endif
 
 #define SG_FUNCTION_1(name, libm)                                                                  \
-    static inline sg_real SG_##name(sg_real x)                                                     \
+    SG_INLINE sg_real SG_##name(sg_real x)                                                         \
     {                                                                                              \
         return (sg_real)SG_LIBM(libm)(x);                                                          \
     }
 
-SG_FUNCTION_1(exp, exp)
-SG_FUNCTION_1(exp2, exp2)
 SG_FUNCTION_1(log, log)
 SG_FUNCTION_1(log2, log2)
 SG_FUNCTION_1(sqrt, sqrt)
 SG_FUNCTION_1(floor, floor)
 SG_FUNCTION_1(abs, fabs)
 
-static inline sg_real SG_pow(sg_real x, sg_real y)
+/* Where the result would be below the smallest normal number it is 0 (but in half), as on devices
+ * that flush denormals: there the vector library falls back to single calls, twenty times slower,
+ * and a sharp lobe is mostly such places. NaN passes the comparison and stays. */
+#if SG_PRECISION == 64
+#define SG_EXP_MIN  -708.39
+#define SG_EXP2_MIN -1022.0
+#elif SG_PRECISION == 32
+#define SG_EXP_MIN  -87.33
+#define SG_EXP2_MIN -126.0
+#endif
+#if SG_PRECISION == 16
+SG_FUNCTION_1(exp, exp)
+SG_FUNCTION_1(exp2, exp2)
+#else
+SG_INLINE sg_real SG_exp(sg_real x)
+{
+    bool vanishes = x < SG_K(SG_EXP_MIN);
+    sg_real value = SG_LIBM(exp)(vanishes ? SG_K(SG_EXP_MIN) : x);
+    return vanishes ? SG_K(0.0) : value;
+}
+SG_INLINE sg_real SG_exp2(sg_real x)
+{
+    bool vanishes = x < SG_K(SG_EXP2_MIN);
+    sg_real value = SG_LIBM(exp2)(vanishes ? SG_K(SG_EXP2_MIN) : x);
+    return vanishes ? SG_K(0.0) : value;
+}
+#endif
+
+/* What may stand in for a helper (`// double: NAME`): the C library's, in the double unit, kept
+ * to the arguments that its vector version serves without falling back. */
+#if SG_PRECISION == 64
+SG_FUNCTION_1(erf, erf)
+SG_INLINE sg_real SG_expm1(sg_real x)
+{
+    return expm1(x < -50.0 ? -50.0 : x); /* -1 from there on */
+}
+SG_INLINE sg_real SG_erfc(sg_real x)
+{
+    double value = erfc(x > 26.5 ? 26.5 : x);
+    return x > 26.5 ? 0.0 : value; /* below 1e-307 */
+}
+#endif
+
+SG_INLINE sg_real SG_pow(sg_real x, sg_real y)
 {
     return (sg_real)SG_LIBM(pow)(x, y);
 }
-static inline sg_real SG_inversesqrt(sg_real x)
+SG_INLINE sg_real SG_inversesqrt(sg_real x)
 {
     return SG_K(1.0) / SG_sqrt(x);
 }
 
 /* As GLSL defines them; ternaries, because fmax and fmin do not vectorise. */
-static inline sg_real SG_min(sg_real x, sg_real y)
+SG_INLINE sg_real SG_min(sg_real x, sg_real y)
 {
     return y < x ? y : x;
 }
-static inline sg_real SG_max(sg_real x, sg_real y)
+SG_INLINE sg_real SG_max(sg_real x, sg_real y)
 {
     return x < y ? y : x;
 }
-static inline sg_real SG_clamp(sg_real x, sg_real low, sg_real high)
+SG_INLINE sg_real SG_clamp(sg_real x, sg_real low, sg_real high)
 {
     return SG_min(SG_max(x, low), high);
 }
-static inline sg_real SG_sign(sg_real x)
+SG_INLINE sg_real SG_sign(sg_real x)
 {
     return x > SG_K(0.0) ? SG_K(1.0) : x < SG_K(0.0) ? SG_K(-1.0) : SG_K(0.0);
 }

@@ -1,5 +1,4 @@
 // sg_A_u: A_h of a lobe along the normal, pi at 0 and 0 at infinity; no cancellation.
-// double: sg_A_u
 // source: Meder and Bruederlin 2018, eq. 9
 real sg_A_u(real lambda)
 {

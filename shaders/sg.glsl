@@ -1,0 +1,814 @@
+// sg.glsl: integrals of spherical Gaussians against the clamped cosine.
+// Written by `sgfit emit`; do not edit.
+//
+// To integrate: paste or #include this file after #version (450, 330, 300 es or later). It
+// defines functions and one struct, all named sg_, and the guard SG_GLSL; no binding, no
+// global, no other macro. In GLSL ES write `precision highp float;` before it: mediump is
+// half on many devices, for which none of the errors below hold. Then, per light:
+//
+//     irradiance += sg_irradiance(amplitude, axis, sharpness, normal);
+//
+// sg_irradiance calls sg_A_h_tokuyoshi_2024_stable. Functions of one lobe of amplitude 1 take
+// (lambda, cos_theta): sharpness and dot(axis, normal).
+//   A_h  integral of exp(lambda (dot(w, axis) - 1)) max(dot(w, normal), 0) over the sphere
+//   L    A_h over the integral of the lobe alone: the same for a lobe that integrates to 1
+//
+// Methods, and the largest error of L in float:
+//   wang_2009                              Cosine as a lobe, the common fit
+//   wang_2009_stable                       Cosine as a lobe, the common fit, stable
+//   pettineo_hill_2016                     Fitted irradiance of Pettineo and Hill
+//   pettineo_hill_2016_stable              Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
+//   tokuyoshi_2016                         Cosine as a lobe of sharpness 2
+//   tokuyoshi_2016_stable                  Cosine as a lobe of sharpness 2, stable
+//   constant_cosine                        Cosine constant over the lobe
+//   constant_cosine_stable                 Cosine constant over the lobe, stable
+//   meder_2018                             Logistic between the poles
+//   meder_2018_hg                          Hemispherical Gaussians, logistic
+//   meder_2018_hg_stable                   Hemispherical Gaussians, logistic, stable
+//   meder_2018_stable                      Logistic between the poles, stable
+//   tokuyoshi_2022                         Hemispherical Gaussians, error function
+//   tokuyoshi_2022_stable                  Hemispherical Gaussians, error function, stable
+//   tokuyoshi_2024                         Planar Gaussian between the poles
+//   tokuyoshi_2024_stable                  Planar Gaussian between the poles, stable
+#ifndef SG_GLSL
+#define SG_GLSL
+
+// sg_mean: mean resultant length of a lobe, coth lambda - 1/lambda: 0 at 0, 1 at infinity.
+// It is also L(lambda, z) - L(lambda, -z) over z, exactly, for every z. Below 1 its continued
+// fraction lambda/(3 + lambda^2/(5 + lambda^2/(7 + ...))) cut after 13: relative error 9e-12.
+float sg_mean(float lambda)
+{
+    float q = lambda * lambda;
+    float inner = lambda * 0.333333333333333333 * (1.0 + q * (0.0615384615384615385 + q * 0.000599400599400599401))
+        / (1.0 + q * (0.128205128205128205 + q * (0.00279720279720279720 + q * 7.40000740000740001e-6)));
+    float e = exp(-2.0 * lambda);
+    float outer = (1.0 + e) / (1.0 - e) - 1.0 / lambda;
+    return lambda < 1.0 ? inner : outer;
+}
+
+// sg_L_b: L of a lobe against the normal, (1 - (1 + lambda) e^-lambda)/(lambda (e^lambda -
+// e^-lambda)): 1/4 at 0, 0 at
+// infinity. L along the normal is sg_L_b + sg_mean. Below 1, where the formula cancels, half of the
+// difference between 1 - tanh(lambda/2)/lambda = L(z = 1) + L(z = -1) (a continued fraction again,
+// relative error 9e-11) and sg_mean.
+float sg_L_b(float lambda)
+{
+    float q = lambda * lambda;
+    float sum = 0.5 * (1.0 + q * (0.194444444444444444 + q * 0.00191798941798941799))
+        / (1.0 + q * (0.111111111111111111 + q * 0.000992063492063492063));
+    float e = exp(-lambda);
+    float outer = e / (1.0 + e) * (1.0 / lambda - e / (1.0 - e));
+    return lambda < 1.0 ? 0.5 * (sum - sg_mean(lambda)) : outer;
+}
+
+// sg_expm1: e^x - 1, without the cancellation next to 0.
+// Below 1/2 as x/(y coth y - y) with y = x/2: its even part is 1 + x^2/12 - x^4/720 + x^6/30240,
+// cut where the next term is 3.3e-9 (Bernoulli numbers over factorials). Elsewhere nothing cancels.
+float sg_expm1(float x)
+{
+    float q = x * x;
+    float even = 1.0 + q * (0.0833333333333333333 - q * (0.00138888888888888889 - q * 3.30687830687830688e-5));
+    return abs(x) < 0.5 ? x / (even - 0.5 * x) : exp(x) - 1.0;
+}
+
+// sg_integral: A, the integral of a lobe of amplitude 1 over the sphere, 4 pi at 0 and 0 at
+// infinity.
+// Source: Meder and Bruederlin 2018, eq. 2
+float sg_integral(float lambda)
+{
+    const float sg_pi = 3.14159265358979;
+    // next to 0 the quotient's own series, so that nothing is divided by 0
+    float share = lambda < 1.0e-5 ? 2.0 - 2.0 * lambda * (1.0 - 0.666666666666666667 * lambda)
+        : -sg_expm1(-2.0 * lambda) / lambda;
+    return 2.0 * sg_pi * share;
+}
+
+// sg_A_b: A_h of a lobe against the normal, pi at 0 and 0 at infinity; no cancellation, no
+// overflow.
+// Source: Meder and Bruederlin 2018, eq. 10
+float sg_A_b(float lambda)
+{
+    return sg_integral(lambda) * sg_L_b(lambda);
+}
+
+// sg_A_b_printed: A_h of a lobe against the normal, as Meder and Bruederlin print it (eq. 10).
+// e^lambda overflows: NaN in float from lambda = 88.7 on. In double the print would be NaN from 709
+// on and leave no model to be measured there, so the double unit has sg_A_b instead, which is the
+// same function without the overflow. sg_A_b is the one to use.
+float sg_A_b_printed(float lambda)
+{
+    const float sg_pi = 3.14159265358979;
+    return 2.0 * sg_pi / (lambda * lambda) * exp(-2.0 * lambda) * (exp(lambda) - 1.0 - lambda);
+}
+
+// sg_A_h_from_L: A_h of a method whose text computes L.
+float sg_A_h_from_L(float L, float lambda)
+{
+    return L * sg_integral(lambda);
+}
+
+// sg_A_u: A_h of a lobe along the normal, pi at 0 and 0 at infinity; no cancellation.
+// Source: Meder and Bruederlin 2018, eq. 9
+float sg_A_u(float lambda)
+{
+    return sg_integral(lambda) * (sg_L_b(lambda) + sg_mean(lambda));
+}
+
+// sg_A_u_printed: A_h of a lobe along the normal, as Meder and Bruederlin print it (eq. 9).
+// It cancels for small lambda: in float 2 % off at 1e-3. sg_A_u is the one to use.
+float sg_A_u_printed(float lambda)
+{
+    const float sg_pi = 3.14159265358979;
+    return 2.0 * sg_pi / (lambda * lambda) * (exp(-lambda) - 1.0 + lambda);
+}
+
+// sg_L_from_A_h: L of a method whose text computes A_h.
+// Where the integral over the sphere has run out of range (an infinite sharpness) the quotient's
+// limit, the clamped cosine; NaN stays NaN.
+float sg_L_from_A_h(float A_h, float lambda, float cos_theta)
+{
+    float area = sg_integral(lambda);
+    return area == 0.0 ? max(cos_theta, 0.0) : A_h / area;
+}
+
+// sg_erfc: the complementary error function; 0 at infinity, 2 at minus infinity.
+// e^(-x^2) times a function that varies little: by powers of y = 1 - 5/(x + 2.5)
+// (tables/erf_coefficients.c made them: Chebyshev interpolation of degree 10, relative error
+// 8.6e-9). In float the rounding of x^2 adds x^2 6e-8 to the relative error of the tail.
+float sg_erfc(float x)
+{
+    float size = abs(x);
+    float r = 1.0 / (size + 2.5);
+    float y = 1.0 - 5.0 * r;
+    float scaled = 1.05403182031 + y * (-0.804651934117 + y * (0.453914249745 + y * (-0.171249418642
+        + y * (0.0283588671095 + y * (0.0083828882153 + y * (-0.00480345510817 + y * (-0.000413603799662
+        + y * (0.000666220795278 + y * (2.68655916139e-05 + y * (-7.29214562721e-05))))))))));
+    float tail = exp(-x * x) * r * scaled;
+    return x < 0.0 ? 2.0 - tail : tail;
+}
+
+// sg_erf: the error function.
+// Up to 1 by powers of 2x^2 - 1 (tables/erf_coefficients.c made them: Chebyshev interpolation of
+// degree 6, relative error 1.3e-9), which keeps the relative error next to 0; beyond 1 the
+// complement.
+float sg_erf(float x)
+{
+    float size = abs(x);
+    float q = 2.0 * x * x - 1.0;
+    float inner = 0.96546873867 + q * (-0.140536097278 + q * (0.0198524971409 + q * (-0.00228541954487
+        + q * (0.000217513541656 + q * (-1.76690680261e-05 + q * 1.23060547857e-06)))));
+    float outer = 1.0 - sg_erfc(size);
+    return size < 1.0 ? x * inner : x < 0.0 ? -outer : outer;
+}
+
+// sg_erf_step: (erf(x + h/2) - erf(x - h/2))/h for a small step h, without the difference.
+// The midpoint rule and its first correction: relative error below h^4/100.
+float sg_erf_step(float x, float h)
+{
+    float q = x * x;
+    return 1.12837916709551257 * exp(-q) * (1.0 + h * h * (2.0 * q - 1.0) * 0.0833333333333333333);
+}
+
+// sg_evaluate_near: a lobe of amplitude 1 in a direction, in [0, 1], from |direction - axis|^2 in
+// [0, 4].
+// That square is 2 - 2 cos theta, and does not round to 0 next to the axis.
+float sg_evaluate_near(float lambda, float difference_squared)
+{
+    return exp(-0.5 * lambda * difference_squared);
+}
+
+// sg_gain_step: (Q - 1)/step, where Q is sinh(x)/x at `product` over sinh(x)/x at lambda, and step
+// = product - lambda, |step| < 0.05.
+// Q is what the integral of a lobe over the sphere gains when it is multiplied by e^(c (w.n)), the
+// product having that sharpness. No difference of nearly equal numbers: below 1 the divided
+// difference of the power series in x^2, elsewhere Q - 1 = (lambda (cosh step - 1) + lambda
+// coth(lambda) sinh(step) - step)/product.
+float sg_gain_step(float lambda, float product, float step)
+{
+    float q = lambda * lambda;
+    float p = product * product;
+    float s1 = p + q;
+    float s2 = p * s1 + q * q;
+    float s3 = p * s2 + q * q * q;
+    float s4 = p * s3 + q * q * q * q;
+    float slope = 0.166666666666666667 + 0.00833333333333333333 * s1 + 1.98412698412698413e-4 * s2
+        + 2.75573192239858907e-6 * s3 + 2.50521083854417188e-8 * s4;
+    float sinhc = 1.0 + q * (0.166666666666666667 + q * (0.00833333333333333333 + q * (1.98412698412698413e-4
+        + q * (2.75573192239858907e-6 + q * 2.50521083854417188e-8))));
+    float mean = sg_mean(lambda);
+    float ratio = lambda / product;
+    float h = step * step;
+    float outer = ratio * (mean + 0.5 * step * (1.0 + h * 0.0833333333333333333))
+        + (1.0 / product + ratio * mean) * h * (0.166666666666666667 + h * 0.00833333333333333333);
+    return lambda < 1.0 ? (lambda + product) * slope / sinhc : outer;
+}
+
+// sg_hemisphere_erf: H over A, the share of a lobe's integral that lies in the hemisphere, as
+// Tokuyoshi
+// interpolates it between the poles, given its steepness t. The poles' integrals over A are 1/(1 +
+// e^-lambda) and e^-lambda/(1 + e^-lambda). 0/0 at lambda = 0, as printed.
+// Source: Tokuyoshi 2022, eq. 1
+float sg_hemisphere_erf(float lambda, float cos_theta, float t)
+{
+    float e = exp(-lambda);
+    float s = 0.5 + sg_erf(t * cos_theta) / (2.0 * sg_erf(t));
+    return (s + (1.0 - s) * e) / (1.0 + e);
+}
+
+// sg_hemisphere_logistic: H, the integral of a lobe over the hemisphere, by a normalised logistic
+// of steepness t.
+// As published, s = (ab - 1)/((a - 1)(b + 1)) with a = e^t and b = e^(tz), in the reciprocals a' =
+// e^-t and b' = e^-t|z| in which public implementations evaluate it, because a overflows. 0/0 where
+// a' rounds to 1.
+// Source: Meder and Bruederlin 2018 (Hemispherical Gaussians)
+float sg_hemisphere_logistic(float lambda, float cos_theta, float t)
+{
+    const float sg_pi = 3.14159265358979;
+    float upper = 2.0 * sg_pi * (1.0 - exp(-lambda)) / lambda;
+    float lower = exp(-lambda) * upper;
+    float a = exp(-t);
+    float b = exp(-t * abs(cos_theta));
+    float s = (cos_theta < 0.0 ? b - a : 1.0 - a * b) / ((1.0 - a) * (1.0 + b));
+    return lower + s * (upper - lower);
+}
+
+// sg_one_minus_exp_over: (1 - e^-x)/x for x >= 0, 1 at 0.
+float sg_one_minus_exp_over(float x)
+{
+    // next to 0 the quotient's own series, so that nothing is divided by 0
+    return x < 1.0e-5 ? 1.0 - 0.5 * x * (1.0 - 0.333333333333333333 * x) : -sg_expm1(-x) / x;
+}
+
+// sg_product_log_amplitude: logarithm of what the amplitude of a product of two lobes loses, in
+// (-inf, 0].
+// lambda3 - lambda1 - lambda2, lambda3 the product's sharpness, from |v1 - v2|^2 in [0, 4] and
+// without cancellation: -lambda1 lambda2 |v1 - v2|^2/(lambda1 + lambda2 + lambda3).
+// Source: Xu et al. 2014; Meder and Bruederlin 2018, eq. 3
+float sg_product_log_amplitude(float lambda1, float lambda2, float lambda3, float difference_squared)
+{
+    float total = lambda1 + lambda2 + lambda3;
+    return -lambda1 * (lambda2 / (total > 0.0 ? total : 1.0)) * difference_squared;
+}
+
+// sg_product_sharpness: sharpness of the product of two lobes, |lambda1 v1 + lambda2 v2|, from |v1
+// + v2|^2 in [0, 4].
+// No cancellation for opposite axes, no overflow below 1e38; 0 for opposite lobes of equal
+// sharpness.
+// Source: Xu et al. 2014; Meder and Bruederlin 2018, eq. 3
+float sg_product_sharpness(float lambda1, float lambda2, float sum_squared)
+{
+    float total = lambda1 + lambda2;
+    float divisor = total > 0.0 ? total : 1.0;
+    float difference = (lambda1 - lambda2) / divisor;
+    return total * sqrt(difference * difference + (lambda1 / divisor) * (lambda2 / divisor) * sum_squared);
+}
+
+// sg_tanh_half: tanh(x/2), with full relative precision next to 0.
+float sg_tanh_half(float x)
+{
+    float q = sg_expm1(-abs(x));
+    float t = q / (2.0 + q);
+    return x < 0.0 ? t : -t;
+}
+
+// wang_2009: Cosine as a lobe, the common fit (published, 2009).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
+//   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
+//   eqs 2 and 3
+float sg_A_h_wang_2009(float lambda, float cos_theta)
+{
+    const float sg_pi = 3.14159265358979;
+    const float cosine_amplitude = 1.17;
+    const float cosine_sharpness = 2.133;
+    float sharpness = sqrt(lambda * lambda + cosine_sharpness * cosine_sharpness
+        + 2.0 * lambda * cosine_sharpness * cos_theta);
+    float amplitude = cosine_amplitude * exp(sharpness - lambda - cosine_sharpness);
+    return amplitude * (2.0 * sg_pi) / sharpness * (1.0 - exp(-2.0 * sharpness));
+}
+
+float sg_L_wang_2009(float lambda, float cos_theta)
+{
+    return sg_L_from_A_h(sg_A_h_wang_2009(lambda, cos_theta), lambda, cos_theta);
+}
+
+// wang_2009_stable: Cosine as a lobe, the common fit, stable (stable, 2009).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
+//   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
+//   eqs 2 and 3
+float sg_L_wang_2009_stable(float lambda, float cos_theta)
+{
+    const float cosine_amplitude = 1.17;
+    const float cosine_sharpness = 2.133;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float sum = lambda + cosine_sharpness;
+    float share = lambda / sum;
+    float difference = (lambda - cosine_sharpness) / sum;
+    float product = sqrt(difference * difference + 2.0 * share * (cosine_sharpness / sum) * (1.0 + z));
+    float drop = 2.0 * cosine_sharpness * (1.0 - z);
+    float area = sg_integral(sum * product) / sg_integral(lambda);
+    float value = cosine_amplitude * exp(-drop * share / (1.0 + product)) * area;
+    // an infinite sharpness: the lobe in the place of the cosine, itself
+    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? cosine_amplitude * exp(-0.5 * drop) : value;
+}
+
+float sg_A_h_wang_2009_stable(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_wang_2009_stable(lambda, cos_theta), lambda);
+}
+
+// pettineo_hill_2016: Fitted irradiance of Pettineo and Hill (published, 2016).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [1, inf), cos_theta in [-1, 1].
+// Source: Pettineo and Hill, SG Series Part 3: Diffuse Lighting From an SG Light Source, 2016
+float sg_A_h_pettineo_hill_2016(float lambda, float cos_theta)
+{
+    const float sg_pi = 3.14159265358979;
+    const float c0 = 0.36;
+    float c1 = 1.0 / (4.0 * c0);
+    float e = exp(-lambda);
+    float e2 = e * e;
+    float r = 1.0 / lambda;
+    float scale = 1.0 + 2.0 * e2 - r;
+    float bias = (e - e2) * r - e2;
+    float x = sqrt(1.0 - scale);
+    float x0 = c0 * cos_theta;
+    float x1 = c1 * x;
+    float n = x0 + x1;
+    float y = abs(x0) <= x1 ? n * n / x : max(cos_theta, 0.0);
+    return (scale * y + bias) * (2.0 * sg_pi) * r;
+}
+
+float sg_L_pettineo_hill_2016(float lambda, float cos_theta)
+{
+    return sg_L_from_A_h(sg_A_h_pettineo_hill_2016(lambda, cos_theta), lambda, cos_theta);
+}
+
+// pettineo_hill_2016_stable: Fitted irradiance of Pettineo and Hill, Hermite continuation below
+//   lambda = 1 (stable, 2016).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Pettineo and Hill, SG Series Part 3: Diffuse Lighting From an SG Light Source, 2016
+float sg_L_pettineo_hill_2016_stable(float lambda, float cos_theta)
+{
+    const float c0 = 0.36;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float l = max(lambda, 1.0);
+    float c1 = 1.0 / (4.0 * c0);
+    float e = exp(-l);
+    float e2 = e * e;
+    float r = 1.0 / l;
+    float rest = r - 2.0 * e2;
+    float scale = 1.0 - rest;
+    float bias = (e - e2) * r - e2;
+    float area = 1.0 - e2;
+    float x = sqrt(rest);
+    float x0 = c0 * z;
+    float x1 = c1 * x;
+    float n = x0 + x1;
+    bool inside = abs(x0) <= x1;
+    float y = inside ? n * (n / x) : max(z, 0.0);
+    float value = (scale * y + bias) / area;
+    // the slope in lambda; used at l = 1 only, where every z is inside
+    float scale_slope = r * r - 4.0 * e2;
+    float bias_slope = (2.0 * e2 - e) * r - (e - e2) * r * r + 2.0 * e2;
+    float y_slope = (n / x) * (n / x - 2.0 * c1) * scale_slope / (2.0 * x);
+    float slope = (scale_slope * y + scale * y_slope + bias_slope - 2.0 * e2 * value) / area;
+    float start = z * 0.166666666666666667;
+    float rise = value - 0.25;
+    float below = 0.25 + lambda * (start + lambda * (3.0 * rise - 2.0 * start - slope
+        + lambda * (start + slope - 2.0 * rise)));
+    float found = lambda < 1.0 ? below : value;
+    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : found;
+}
+
+float sg_A_h_pettineo_hill_2016_stable(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_pettineo_hill_2016_stable(lambda, cos_theta), lambda);
+}
+
+// tokuyoshi_2016: Cosine as a lobe of sharpness 2 (published, 2016).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
+//   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
+float sg_A_h_tokuyoshi_2016(float lambda, float cos_theta)
+{
+    const float sg_pi = 3.14159265358979;
+    const float cosine_amplitude = 1.0;
+    const float cosine_sharpness = 2.0;
+    float sharpness = sqrt(lambda * lambda + cosine_sharpness * cosine_sharpness
+        + 2.0 * lambda * cosine_sharpness * cos_theta);
+    float amplitude = cosine_amplitude * exp(sharpness - lambda - cosine_sharpness);
+    return amplitude * (2.0 * sg_pi) / sharpness * (1.0 - exp(-2.0 * sharpness));
+}
+
+float sg_L_tokuyoshi_2016(float lambda, float cos_theta)
+{
+    return sg_L_from_A_h(sg_A_h_tokuyoshi_2016(lambda, cos_theta), lambda, cos_theta);
+}
+
+// tokuyoshi_2016_stable: Cosine as a lobe of sharpness 2, stable (stable, 2016).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
+//   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
+float sg_L_tokuyoshi_2016_stable(float lambda, float cos_theta)
+{
+    const float cosine_amplitude = 1.0;
+    const float cosine_sharpness = 2.0;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float sum = lambda + cosine_sharpness;
+    float share = lambda / sum;
+    float difference = (lambda - cosine_sharpness) / sum;
+    float product = sqrt(difference * difference + 2.0 * share * (cosine_sharpness / sum) * (1.0 + z));
+    float drop = 2.0 * cosine_sharpness * (1.0 - z);
+    float area = sg_integral(sum * product) / sg_integral(lambda);
+    float value = cosine_amplitude * exp(-drop * share / (1.0 + product)) * area;
+    // an infinite sharpness: the lobe in the place of the cosine, itself
+    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? cosine_amplitude * exp(-0.5 * drop) : value;
+}
+
+float sg_A_h_tokuyoshi_2016_stable(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_tokuyoshi_2016_stable(lambda, cos_theta), lambda);
+}
+
+// constant_cosine: Cosine constant over the lobe (published, 2018).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 2 and 7
+float sg_A_h_constant_cosine(float lambda, float cos_theta)
+{
+    const float sg_pi = 3.14159265358979;
+    return max(cos_theta, 0.0) * (2.0 * sg_pi / lambda * (1.0 - exp(-2.0 * lambda)));
+}
+
+float sg_L_constant_cosine(float lambda, float cos_theta)
+{
+    return sg_L_from_A_h(sg_A_h_constant_cosine(lambda, cos_theta), lambda, cos_theta);
+}
+
+// constant_cosine_stable: Cosine constant over the lobe, stable (stable, 2018).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 2 and 7
+float sg_L_constant_cosine_stable(float lambda, float cos_theta)
+{
+    // the sharpness has no part in it, but a NaN there stays one
+    return lambda == lambda ? clamp(cos_theta, 0.0, 1.0) : lambda;
+}
+
+float sg_A_h_constant_cosine_stable(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_constant_cosine_stable(lambda, cos_theta), lambda);
+}
+
+// meder_2018: Logistic between the poles (published, 2018).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
+float sg_A_h_meder_2018(float lambda, float cos_theta)
+{
+    const float t_scale = 2.1007;
+    const float t_shift = 4.4653;
+    const float u_slope = 0.2958;
+    const float u_offset = 0.5033;
+    float t = t_scale * sqrt(lambda) * lambda / (lambda + t_shift);
+    float u = 1.0 / (u_slope * t + u_offset);
+    float s = u / (exp(abs(cos_theta) * t) + 1.0);
+    float c = s * (0.5 * cos_theta + 0.5) + (1.0 - s) * max(cos_theta, 0.0);
+    return c * sg_A_u_printed(lambda) + (1.0 - c) * sg_A_b_printed(lambda);
+}
+
+float sg_L_meder_2018(float lambda, float cos_theta)
+{
+    return sg_L_from_A_h(sg_A_h_meder_2018(lambda, cos_theta), lambda, cos_theta);
+}
+
+// meder_2018_hg: Hemispherical Gaussians, logistic (published, 2018).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
+//   offset as public implementations carry it (Tokuyoshi's poster prints 31.703)
+float sg_A_h_meder_2018_hg(float lambda, float cos_theta)
+{
+    const float cosine_amplitude = 32.708;
+    const float cosine_sharpness = 0.0315;
+    const float cosine_offset = 31.7003;
+    const float t_cubic = 1.6988;
+    const float t_square = 10.8438;
+    const float t_linear = 6.2201;
+    const float t_constant = 10.2415;
+    float sharpness = sqrt(lambda * lambda + cosine_sharpness * cosine_sharpness
+        + 2.0 * lambda * cosine_sharpness * cos_theta);
+    float cosine = (lambda * cos_theta + cosine_sharpness) / sharpness;
+    float t = sqrt(lambda) * (t_cubic * lambda * lambda + t_square * lambda)
+        / (lambda * lambda + t_linear * lambda + t_constant);
+    float t3 = sqrt(sharpness) * (t_cubic * sharpness * sharpness + t_square * sharpness)
+        / (sharpness * sharpness + t_linear * sharpness + t_constant);
+    return cosine_amplitude * exp(sharpness - lambda - cosine_sharpness) * sg_hemisphere_logistic(sharpness, cosine, t3)
+        - cosine_offset * sg_hemisphere_logistic(lambda, cos_theta, t);
+}
+
+float sg_L_meder_2018_hg(float lambda, float cos_theta)
+{
+    return sg_L_from_A_h(sg_A_h_meder_2018_hg(lambda, cos_theta), lambda, cos_theta);
+}
+
+// meder_2018_hg_stable: Hemispherical Gaussians, logistic, stable (stable, 2018).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
+//   offset as public implementations carry it (Tokuyoshi's poster prints 31.703); cosine_scale =
+//   32.708 e^-0.0315, cosine_rest = cosine_scale - 31.7003
+float sg_L_meder_2018_hg_stable(float lambda, float cos_theta)
+{
+    const float cosine_sharpness = 0.0315;
+    const float cosine_scale = 31.693756203688917;
+    const float cosine_rest = -0.0065437963110823475;
+    const float t_cubic = 1.6988;
+    const float t_square = 10.8438;
+    const float t_linear = 6.2201;
+    const float t_constant = 10.2415;
+    float c = cosine_sharpness;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float sum = lambda + c;
+    float difference = (lambda - c) / sum;
+    float product = sum * sqrt(difference * difference + 2.0 * (lambda / sum) * (c / sum) * (1.0 + z));
+    float d = (lambda * z + 0.5 * c) / (0.5 * product + 0.5 * lambda);
+    float step = c * d;
+    // steepness over sharpness, k, and bend = lambda (k3 - k)/step, in v = 1/(1 + lambda)
+    float v = 1.0 / (1.0 + lambda);
+    float v3 = 1.0 / (1.0 + product);
+    float w = lambda * v;
+    float w3 = product * v3;
+    float root = sqrt(lambda);
+    float root3 = sqrt(product);
+    float below = w * w + v * (t_linear * w + t_constant * v);
+    float below3 = w3 * w3 + v3 * (t_linear * w3 + t_constant * v3);
+    float rate3 = v3 * (t_cubic * w3 + t_square * v3) / below3;
+    float k = root * v * (t_cubic * w + t_square * v) / below;
+    float k3 = root3 * rate3;
+    float turn = (t_cubic * t_constant - t_square * t_linear) * v * v3 - t_square * (w * v3 + w3 * v) - t_cubic * w * w3;
+    float bend = lambda * rate3 / (root3 + root) + root * w * v3 * turn / (below * below3);
+    // tanh of half the steps of t z and of t, over c
+    float tz_half = 0.5 * (k3 + z * d * bend);
+    float t_half = 0.5 * d * (k3 + bend);
+    float tz_square = (c * tz_half) * (c * tz_half) * 0.333333333333333333;
+    float t_square_step = (c * t_half) * (c * t_half) * 0.333333333333333333;
+    float tz_step = tz_half * (1.0 - tz_square * (1.0 - 1.2 * tz_square));
+    float t_step = t_half * (1.0 - t_square_step * (1.0 - 1.2 * t_square_step));
+    // at t = 0 R is z; next to it the quotient is that to 1e-9
+    float t = max(k * lambda, 1.0e-4);
+    float bent = sg_tanh_half(t * z);
+    float full = sg_tanh_half(t);
+    float ratio = bent / full;
+    float full3 = sg_tanh_half(k3 * product);
+    float tanh3 = sg_tanh_half(product);
+    float tanh1 = sg_tanh_half(lambda);
+    float rise = tz_step * (1.0 - bent * bent) / (1.0 + c * tz_step * bent)
+        - ratio * t_step * (1.0 - full * full) / (1.0 + c * t_step * full);
+    // (T3 R3 - T R)/c = (T3 - T) R/c + T3 (R3 - R)/c
+    float half_square = step * step * 0.0833333333333333333;
+    float tanh_step = 0.5 * d * (1.0 - half_square * (1.0 - 1.2 * half_square)) * (1.0 - tanh1 * tanh3);
+    float stepped = tanh_step * ratio + tanh3 / full3 * rise;
+    // where the product's sharpness can vanish both terms are as small as c, and their difference loses nothing
+    float ratio3 = full3 > 0.0 ? sg_tanh_half(k3 * ((c - lambda) + lambda * (1.0 + z))) / full3 : 0.0;
+    float direct = (tanh3 * ratio3 - tanh1 * ratio) / c;
+    float bias_step = lambda < 4.0 * c ? direct : stepped;
+    float bias = tanh1 * ratio;
+    float gain = d * sg_gain_step(lambda, product, step) * (1.0 + bias + c * bias_step) + bias_step;
+    float value = max(0.5 * (cosine_scale * c * gain + cosine_rest * (1.0 + bias)), 0.0);
+    float limit = max(cosine_scale * sg_expm1(c * max(z, 0.0)) + cosine_rest, 0.0);
+    return v <= 1.0e-37 ? limit : value;
+}
+
+float sg_A_h_meder_2018_hg_stable(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_meder_2018_hg_stable(lambda, cos_theta), lambda);
+}
+
+// meder_2018_stable: Logistic between the poles, stable (stable, 2018).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
+float sg_L_meder_2018_stable(float lambda, float cos_theta)
+{
+    const float t_scale = 2.1007;
+    const float t_shift = 4.4653;
+    const float u_slope = 0.2958;
+    const float u_offset = 0.5033;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float size = abs(z);
+    float t = t_scale * sqrt(lambda) * (1.0 - t_shift / (lambda + t_shift));
+    float u = 1.0 / (u_slope * t + u_offset);
+    float e = exp(-t * size);
+    float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
+    float value = sg_L_b(lambda) + sg_mean(lambda) * c;
+    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
+}
+
+float sg_A_h_meder_2018_stable(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_meder_2018_stable(lambda, cos_theta), lambda);
+}
+
+// tokuyoshi_2022: Hemispherical Gaussians, error function (published, 2022).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, eq. 1 and
+//   section 2
+float sg_L_tokuyoshi_2022(float lambda, float cos_theta)
+{
+    const float cosine_sharpness = 8.456087224148012e-4;
+    const float alpha = 1182.246733967815;
+    const float t_0 = 0.6517328826907056;
+    const float t_1 = 1.3418280033141288;
+    const float t_2 = 7.221668779895671;
+    float sharpness = sqrt(lambda * lambda + cosine_sharpness * cosine_sharpness
+        + 2.0 * lambda * cosine_sharpness * cos_theta);
+    float cosine = (lambda * cos_theta + cosine_sharpness) / sharpness;
+    float t = lambda * sqrt((0.5 * lambda + t_0) / (lambda * lambda + t_1 * lambda + t_2));
+    float t3 = sharpness * sqrt((0.5 * sharpness + t_0) / (sharpness * sharpness + t_1 * sharpness + t_2));
+    // e^lambda_c times the product's amplitude is e^(sharpness - lambda)
+    float exponent = cosine_sharpness * (2.0 * lambda * cos_theta + cosine_sharpness) / (sharpness + lambda);
+    float p = exp(exponent) * sg_integral(sharpness) / sg_integral(lambda) * sg_hemisphere_erf(sharpness, cosine, t3);
+    float q = sg_hemisphere_erf(lambda, cos_theta, t);
+    return max(alpha * (p - q), 0.0);
+}
+
+float sg_A_h_tokuyoshi_2022(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_tokuyoshi_2022(lambda, cos_theta), lambda);
+}
+
+// tokuyoshi_2022_stable: Hemispherical Gaussians, error function, stable (stable, 2022).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, eq. 1 and
+//   section 2
+float sg_L_tokuyoshi_2022_stable(float lambda, float cos_theta)
+{
+    const float cosine_sharpness = 8.456087224148012e-4;
+    const float alpha = 1182.246733967815;
+    const float t_0 = 0.6517328826907056;
+    const float t_1 = 1.3418280033141288;
+    const float t_2 = 7.221668779895671;
+    float c = cosine_sharpness;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float sum = lambda + c;
+    float difference = (lambda - c) / sum;
+    float product = sum * sqrt(difference * difference + 2.0 * (lambda / sum) * (c / sum) * (1.0 + z));
+    float d = (lambda * z + 0.5 * c) / (0.5 * product + 0.5 * lambda);
+    float step = c * d;
+    // steepness over sharpness, k, and bend = lambda (k3 - k)/step, in v = 1/(1 + lambda)
+    float v = 1.0 / (1.0 + lambda);
+    float v3 = 1.0 / (1.0 + product);
+    float w = lambda * v;
+    float w3 = product * v3;
+    float below = w * w + v * (t_1 * w + t_2 * v);
+    float below3 = w3 * w3 + v3 * (t_1 * w3 + t_2 * v3);
+    float k = sqrt(v * (0.5 * w + t_0 * v) / below);
+    float k3 = sqrt(v3 * (0.5 * w3 + t_0 * v3) / below3);
+    float turn = (0.5 * t_2 - t_0 * t_1) * v * v3 - t_0 * (w * v3 + w3 * v) - 0.5 * w * w3;
+    float bend = w * v3 * turn / (below * below3 * (k3 + k));
+    // steps of t z and of t, over c
+    float tz_step = k3 + z * d * bend;
+    float t_step = d * (k3 + bend);
+    // at t = 0 R is z; next to it the quotient is that to 1e-9
+    float t = max(k * lambda, 1.0e-4);
+    float ratio = sg_erf(t * z) / sg_erf(t);
+    float small = max(product, 1.0e-4);
+    float tanh3 = sg_tanh_half(product);
+    float tanh1 = sg_tanh_half(lambda);
+    float rise = tz_step * sg_erf_step(k * lambda * z + 0.5 * c * tz_step, c * tz_step)
+        - ratio * t_step * sg_erf_step(k * lambda + 0.5 * c * t_step, c * t_step);
+    // (T3 R3 - T R)/c = (T3 - T) R/c + T3 (R3 - R)/c
+    float tanh_step = 0.5 * d * (1.0 - step * step * 0.0833333333333333333) * (1.0 - tanh1 * tanh3);
+    float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
+    float bias3 = tanh1 * ratio + c * bias_step;
+    float value = max(0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step), 0.0);
+    return v <= 1.0e-37 ? alpha * sg_expm1(c * max(z, 0.0)) : value;
+}
+
+float sg_A_h_tokuyoshi_2022_stable(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_tokuyoshi_2022_stable(lambda, cos_theta), lambda);
+}
+
+// tokuyoshi_2024: Planar Gaussian between the poles (published, 2024).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Tokuyoshi et al., Hierarchical Light Sampling with Accurate Spherical Gaussian Lighting,
+//   2024, supplement
+float sg_A_h_tokuyoshi_2024(float lambda, float cos_theta)
+{
+    const float sg_pi = 3.14159265358979;
+    const float t_a = 2.736083161127256;
+    const float t_b = 17.021297781741875;
+    const float t_c = 4.010082672851042;
+    const float t_d = 15.21915626314721;
+    const float t_e = 76.08789627236074;
+    float t = lambda * sqrt(0.5 * (lambda * lambda + t_a * lambda + t_b)
+        / (lambda * lambda * lambda + t_c * lambda * lambda + t_d * lambda + t_e));
+    float s = 0.5 * (cos_theta * sg_erfc(-t * cos_theta) + sg_erfc(t))
+        - exp(-t * t * cos_theta * cos_theta) * sg_expm1(t * t * (cos_theta * cos_theta - 1.0))
+        / (2.0 * t * sqrt(sg_pi));
+    float lower = sg_A_b(lambda);
+    return lower + s * (sg_A_u(lambda) - lower);
+}
+
+float sg_L_tokuyoshi_2024(float lambda, float cos_theta)
+{
+    return sg_L_from_A_h(sg_A_h_tokuyoshi_2024(lambda, cos_theta), lambda, cos_theta);
+}
+
+// tokuyoshi_2024_stable: Planar Gaussian between the poles, stable (stable, 2024).
+// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Source: Tokuyoshi et al., Hierarchical Light Sampling with Accurate Spherical Gaussian Lighting,
+//   2024, supplement
+float sg_L_tokuyoshi_2024_stable(float lambda, float cos_theta)
+{
+    const float t_a = 2.736083161127256;
+    const float t_b = 17.021297781741875;
+    const float t_c = 4.010082672851042;
+    const float t_d = 15.21915626314721;
+    const float t_e = 76.08789627236074;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float v = 1.0 / (1.0 + lambda);
+    float w = 1.0 - v;
+    float above = w * w + v * (t_a * w + t_b * v);
+    float below = w * w * w + v * (t_c * w * w + v * (t_d * w + t_e * v));
+    float t = lambda * sqrt(0.5 * v * above / below);
+    float side = (1.0 - z) * (1.0 + z);
+    float bell = exp(-(t * z) * (t * z)) * side * t * sg_one_minus_exp_over(t * t * side);
+    // 1/(2 sqrt(pi))
+    float s = 0.5 * (z * sg_erfc(-t * z) + sg_erfc(t)) + 0.282094791773878143 * bell;
+    float value = max(sg_L_b(lambda) + sg_mean(lambda) * s, 0.0);
+    return v <= 1.0e-37 ? max(z, 0.0) : value;
+}
+
+float sg_A_h_tokuyoshi_2024_stable(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_tokuyoshi_2024_stable(lambda, cos_theta), lambda);
+}
+
+// A spherical Gaussian amplitude * exp(sharpness * (dot(w, axis) - 1)). axis: unit length.
+// sharpness: lambda, in [0, 1e37]; 0 is a constant, larger is narrower. amplitude: the value at the
+// axis, for each colour channel.
+struct sg_lobe {
+    vec3 axis;
+    float sharpness;
+    vec3 amplitude;
+};
+
+// The lobe's value in a direction of unit length, in [0, amplitude]; accurate next to the axis at
+// any sharpness.
+vec3 sg_evaluate_lobe(sg_lobe lobe, vec3 direction)
+{
+    vec3 difference = direction - lobe.axis;
+    return lobe.amplitude * sg_evaluate_near(lobe.sharpness, dot(difference, difference));
+}
+
+// The product of two lobes, which is a lobe again. Sharpnesses in [0, 1e37]. Where the product is
+// constant (opposite axes, equal sharpness) its sharpness is 0 and its axis perpendicular to both.
+// Source: Xu et al. 2014; Meder and Bruederlin 2018, eq. 3.
+sg_lobe sg_product(sg_lobe a, sg_lobe b)
+{
+    vec3 sum = a.axis + b.axis;
+    vec3 difference = a.axis - b.axis;
+    float total = a.sharpness + b.sharpness;
+    float lean = total > 0.0 ? (a.sharpness - b.sharpness) / total : 0.0;
+    vec3 axis = 0.5 * sum + 0.5 * lean * difference;
+    float size = length(axis);
+    vec3 other = abs(a.axis.z) < 0.5 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    sg_lobe product;
+    product.axis = size > 0.0 ? axis / size : normalize(cross(a.axis, other));
+    product.sharpness = sg_product_sharpness(a.sharpness, b.sharpness, dot(sum, sum));
+    product.amplitude = a.amplitude * b.amplitude *
+        exp(sg_product_log_amplitude(a.sharpness, b.sharpness, product.sharpness,
+                                     dot(difference, difference)));
+    return product;
+}
+
+// The lobe's integral over the sphere: amplitude times 2 pi (1 - e^-2lambda)/lambda, 4 pi at 0.
+vec3 sg_integrate_lobe(sg_lobe lobe)
+{
+    return lobe.amplitude * sg_integral(lobe.sharpness);
+}
+
+// Irradiance of a surface from one lobe of light: the integral of the lobe times
+// max(dot(w, normal), 0) over the sphere, in [0, pi amplitude] up to the method's error. For a
+// Lambertian surface the outgoing radiance is albedo/pi times this. axis and normal: unit length;
+// sharpness: the method's domain, see sg_A_h_tokuyoshi_2024_stable above.
+vec3 sg_irradiance(vec3 amplitude, vec3 axis, float sharpness, vec3 normal)
+{
+    return amplitude * sg_A_h_tokuyoshi_2024_stable(sharpness, clamp(dot(axis, normal), -1.0, 1.0));
+}
+
+#endif
