@@ -2,10 +2,11 @@
 // computes: L
 // coefficients: cosine_sharpness alpha t_0 t_1 t_2
 // source: Tokuyoshi 2022, sections 2 and 3
-// L = alpha (p - q), p and q hemispheres of the product and of the lobe over A, cut at 0. The product's exponent
-// and the integrals are written without cancellation, as the poster's results were computed; what float still
-// loses is the rounding of p and q, enlarged by alpha, which is 1182. p and q lie within a factor of 2 of each other, so
-// that p - q is exact and Kahan's difference of alpha p and alpha q could not do better.
+// L = alpha (p - q), p and q hemispheres of the product and of the lobe over A, cut at 0. The
+// product's exponent and the integrals are written without cancellation, as the poster's results
+// were computed; what float still loses is the rounding of p and q, enlarged by alpha, which is
+// 1182. p and q lie within a factor of 2 of each other, so that p - q is exact and Kahan's
+// difference of alpha p and alpha q could not do better.
 real sg_form(real lambda, real cos_theta)
 {
     real sharpness = sqrt(lambda * lambda + cosine_sharpness * cosine_sharpness

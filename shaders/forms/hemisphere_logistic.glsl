@@ -2,8 +2,8 @@
 // computes: A_h
 // coefficients: cosine_amplitude cosine_sharpness cosine_offset t_cubic t_square t_linear t_constant
 // source: Meder and Bruederlin 2018 (Hemispherical Gaussians)
-// Two numbers of about 32 are subtracted and the exponent cancels: in float 0.03 is lost at lambda = 1e4. e^-t rounds to 1
-// below lambda = 1e-5: NaN there.
+// Two numbers of about 32 are subtracted and the exponent cancels: in float 0.03 is lost at lambda
+// = 1e4. e^-t rounds to 1 below lambda = 1e-5: NaN there.
 real sg_form(real lambda, real cos_theta)
 {
     real sharpness = sqrt(lambda * lambda + cosine_sharpness * cosine_sharpness

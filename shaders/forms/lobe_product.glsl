@@ -2,7 +2,8 @@
 // computes: A_h
 // coefficients: cosine_amplitude cosine_sharpness
 // source: Meder and Bruederlin 2018, eqs 2, 3 and 8
-// The exponent cancels (in float all of it is lost by lambda = 1e8); opposite lobes of equal sharpness give 0/0.
+// The exponent cancels (in float all of it is lost by lambda = 1e8); opposite lobes of equal
+// sharpness give 0/0.
 real sg_form(real lambda, real cos_theta)
 {
     real sharpness = sqrt(lambda * lambda + cosine_sharpness * cosine_sharpness

@@ -2,7 +2,8 @@
 // computes: A_h
 // coefficients: t_scale t_shift u_slope u_offset
 // source: Meder and Bruederlin 2018, eqs 15 to 18
-// In float NaN from lambda = 88.7 on (e^lambda), and wrong by more than 1e-2 below 2e-3 (A_u cancels).
+// In float NaN from lambda = 88.7 on (e^lambda), and wrong by more than 1e-2 below 2e-3 (A_u
+// cancels).
 real sg_form(real lambda, real cos_theta)
 {
     real t = t_scale * sqrt(lambda) * lambda / (lambda + t_shift);

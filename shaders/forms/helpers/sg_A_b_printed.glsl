@@ -1,7 +1,7 @@
 // sg_A_b_printed: A_h of a lobe against the normal, as Meder and Bruederlin print it (eq. 10).
 // double: sg_A_b
-// e^lambda overflows: NaN in float from lambda = 88.7 on. In double the print would be NaN from 709 on and leave no
-// model to be measured there, so the double unit has the library's sg_A_b instead, which is the
+// e^lambda overflows: NaN in float from lambda = 88.7 on. In double the print would be NaN from 709
+// on and leave no model to be measured there, so the double unit has sg_A_b instead, which is the
 // same function without the overflow. sg_A_b is the one to use.
 real sg_A_b_printed(real lambda)
 {

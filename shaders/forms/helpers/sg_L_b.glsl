@@ -1,7 +1,7 @@
-// sg_L_b: L of a lobe against the normal, (1 - (1 + lambda) e^-lambda)/(lambda (e^lambda - e^-lambda)): 1/4 at 0, 0 at
-// infinity. L along the normal is sg_L_b + sg_mean. Below 1, where the formula cancels, half of the
-// difference between 1 - tanh(lambda/2)/lambda = L(z = 1) + L(z = -1) (a continued fraction again, relative
-// error 9e-11) and sg_mean.
+// sg_L_b: L of a lobe against the normal: 1/4 at 0, 0 at infinity.
+// (1 - (1 + lambda) e^-lambda)/(lambda (e^lambda - e^-lambda)). L along the normal is sg_L_b + sg_mean.
+// Below 1, where the formula cancels, half of the difference between L(z = 1) + L(z = -1), which is
+// 1 - tanh(lambda/2)/lambda (by its continued fraction, relative error 9e-11), and sg_mean.
 real sg_L_b(real lambda)
 {
     real q = lambda * lambda;

@@ -1,7 +1,8 @@
 // sg_erf: the error function.
 // double: erf
-// Up to 1 by powers of 2x^2 - 1 (tables/erf_coefficients.c made them: Chebyshev interpolation of degree 6,
-// relative error 1.3e-9), which keeps the relative error next to 0; beyond 1 the complement.
+// Up to 1 by powers of 2x^2 - 1 (tables/erf_coefficients.c made them: Chebyshev interpolation of
+// degree 6, relative error 1.3e-9), which keeps the relative error next to 0; beyond 1 the
+// complement.
 real sg_erf(real x)
 {
     real size = abs(x);

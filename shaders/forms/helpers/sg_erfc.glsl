@@ -1,8 +1,8 @@
 // sg_erfc: the complementary error function; 0 at infinity, 2 at minus infinity.
 // double: erfc
 // e^(-x^2) times a function that varies little: by powers of y = 1 - 5/(x + 2.5)
-// (tables/erf_coefficients.c made them: Chebyshev interpolation of degree 10, relative error 8.6e-9). In
-// float the rounding of x^2 adds x^2 6e-8 to the relative error of the tail.
+// (tables/erf_coefficients.c made them: Chebyshev interpolation of degree 10, relative error
+// 8.6e-9). In float the rounding of x^2 adds x^2 6e-8 to the relative error of the tail.
 real sg_erfc(real x)
 {
     real size = abs(x);

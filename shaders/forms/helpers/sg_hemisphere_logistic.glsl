@@ -1,6 +1,7 @@
 // sg_hemisphere_logistic: H, the integral of a lobe over the hemisphere, by a normalised logistic of steepness t.
-// As published, s = (ab - 1)/((a - 1)(b + 1)) with a = e^t and b = e^(tz), in the reciprocals a' = e^-t and
-// b' = e^-t|z| in which public implementations evaluate it, because a overflows. 0/0 where a' rounds to 1.
+// As published, s = (ab - 1)/((a - 1)(b + 1)) with a = e^t and b = e^(tz), in the reciprocals a' =
+// e^-t and b' = e^-t|z| in which public implementations evaluate it, because a overflows. 0/0 where
+// a' rounds to 1.
 // source: Meder and Bruederlin 2018 (Hemispherical Gaussians)
 real sg_hemisphere_logistic(real lambda, real cos_theta, real t)
 {

@@ -1,6 +1,6 @@
 // sg_mean: mean resultant length of a lobe, coth lambda - 1/lambda: 0 at 0, 1 at infinity.
-// It is also L(lambda, z) - L(lambda, -z) over z, exactly, for every z. Below 1 its continued fraction
-// lambda/(3 + lambda^2/(5 + lambda^2/(7 + ...))) cut after 13: relative error 9e-12.
+// It is also L(lambda, z) - L(lambda, -z) over z, exactly, for every z. Below 1 its continued
+// fraction lambda/(3 + lambda^2/(5 + lambda^2/(7 + ...))) cut after 13: relative error 9e-12.
 real sg_mean(real lambda)
 {
     real q = lambda * lambda;

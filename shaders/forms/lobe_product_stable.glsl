@@ -1,0 +1,19 @@
+// lobe_product_stable: the clamped cosine as one lobe about the normal; exponent and integrals without cancellation.
+// computes: L
+// coefficients: cosine_amplitude cosine_sharpness
+// source: Meder and Bruederlin 2018, eqs 2, 3 and 8
+// Sharpnesses in units of their sum, so that no square overflows. Not below 0; up to
+// cosine_amplitude, which may be more than 1.
+real sg_form(real lambda, real cos_theta)
+{
+    real z = clamp(cos_theta, K(-1.0), K(1.0));
+    real sum = lambda + cosine_sharpness;
+    real share = lambda / sum;
+    real difference = (lambda - cosine_sharpness) / sum;
+    real product = sqrt(difference * difference + K(2.0) * share * (cosine_sharpness / sum) * (K(1.0) + z));
+    real drop = K(2.0) * cosine_sharpness * (K(1.0) - z);
+    real area = sg_integral(sum * product) / sg_integral(lambda);
+    real value = cosine_amplitude * exp(-drop * share / (K(1.0) + product)) * area;
+    // an infinite sharpness: the lobe in the place of the cosine, itself
+    return K(1.0) / (K(1.0) + lambda) <= K(1.0e-37) ? cosine_amplitude * exp(K(-0.5) * drop) : value;
+}
