@@ -245,6 +245,19 @@ static inline double sg_piece(const double table[SG_BESSEL_DEGREE + 1][SG_BESSEL
     return value * y + table[0][index];
 }
 
+/* e^-x (I0(x) - I1(x)/x) and e^-x I0(x), put together from the two tables. */
+static inline double sg_bessel_even_scaled(double x)
+{
+    double r = 1.0 / (x + (double)SG_BESSEL_SHIFT), ratio = x * r;
+    return ratio * ratio * sqrt(r) * sg_piece(sg_bessel_even, r) + 0.5 * sg_exp_minus(x, 0.0);
+}
+
+static inline double sg_bessel_i0_scaled(double x)
+{
+    double r = 1.0 / (x + (double)SG_BESSEL_SHIFT);
+    return sg_bessel_even_scaled(x) + r * sqrt(r) * sg_piece(sg_bessel_odd, r);
+}
+
 /* Integrand of A_h at y, less a factor 4, and of H, less a factor 2: e^-u times the source,
  * times what the change of variable brings. Both are written with x r, which cannot overflow. */
 static inline double sg_even_node(double lambda, double sine, double cosine, double y)
