@@ -46,11 +46,10 @@ float sg_mean(float lambda)
     return lambda < 1.0 ? inner : outer;
 }
 
-// sg_L_b: L of a lobe against the normal, (1 - (1 + lambda) e^-lambda)/(lambda (e^lambda -
-// e^-lambda)): 1/4 at 0, 0 at
-// infinity. L along the normal is sg_L_b + sg_mean. Below 1, where the formula cancels, half of the
-// difference between 1 - tanh(lambda/2)/lambda = L(z = 1) + L(z = -1) (a continued fraction again,
-// relative error 9e-11) and sg_mean.
+// sg_L_b: L of a lobe against the normal: 1/4 at 0, 0 at infinity.
+// (1 - (1 + lambda) e^-lambda)/(lambda (e^lambda - e^-lambda)). L along the normal is sg_L_b + sg_mean.
+// Below 1, where the formula cancels, half of the difference between L(z = 1) + L(z = -1), which is
+// 1 - tanh(lambda/2)/lambda (by its continued fraction, relative error 9e-11), and sg_mean.
 float sg_L_b(float lambda)
 {
     float q = lambda * lambda;
@@ -177,12 +176,12 @@ float sg_evaluate_near(float lambda, float difference_squared)
     return exp(-0.5 * lambda * difference_squared);
 }
 
-// sg_gain_step: (Q - 1)/step, where Q is sinh(x)/x at `product` over sinh(x)/x at lambda, and step
-// = product - lambda, |step| < 0.05.
-// Q is what the integral of a lobe over the sphere gains when it is multiplied by e^(c (w.n)), the
-// product having that sharpness. No difference of nearly equal numbers: below 1 the divided
-// difference of the power series in x^2, elsewhere Q - 1 = (lambda (cosh step - 1) + lambda
-// coth(lambda) sinh(step) - step)/product.
+// sg_gain_step: (Q - 1)/step, Q = sinh(product)/product over sinh(lambda)/lambda, product = lambda
+// + step.
+// Q is what the integral of a lobe over the sphere gains when the lobe is multiplied by e^(c (w.n)) and
+// has the sharpness `product` afterwards. |step| < 0.05. No difference of nearly equal numbers: below 1
+// the divided difference of the power series in x^2 (cut where 6/13! follows), elsewhere
+// Q - 1 = (lambda (cosh step - 1) + lambda coth(lambda) sinh(step) - step)/product.
 float sg_gain_step(float lambda, float product, float step)
 {
     float q = lambda * lambda;
