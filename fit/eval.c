@@ -12,16 +12,15 @@
 #include "fit/evaluator.h"
 
 static const char help[] =
-    "Evaluates the reference, a method or a quadrature route at the points of a CSV on standard\n"
-    "input, or at one point given by options. The header names lambda and beta (radians) or\n"
-    "cos_theta, in any order; other columns are kept. Written are the same rows with a last\n"
-    "column value, in the shortest text that reads back to the same double (to the same float "
-    "with\n"
+    "Evaluates the reference, a method or a quadrature route at the points of a CSV on standard "
+    "input, or at one point given by options. The header names lambda and beta (radians) or "
+    "cos_theta, in any order; other columns are kept. Written are the same rows with a last "
+    "column value, in the shortest text that reads back to the same double (to the same float with "
     "f32 and f16).\n\n"
-    "Domain: every finite lambda >= 0; beta in [0, pi], not above the double 3.141592653589793;\n"
-    "cos_theta in [-1, 1], where up to 1e-6 beyond counts as rounding and is taken as the end.\n"
-    "Where a row has beta and cos_theta, beta is taken. With f32 and f16 the cosine of beta is\n"
-    "taken in double, then lambda and cosine are rounded to the precision. Rows before a bad one\n"
+    "Domain: every finite lambda >= 0; beta in [0, pi], not above the double 3.141592653589793; "
+    "cos_theta in [-1, 1], where up to 1e-6 beyond counts as rounding and is taken as the end. "
+    "Where a row has beta and cos_theta, beta is taken. With f32 and f16 the cosine of beta is "
+    "taken in double, then lambda and cosine are rounded to the precision. Rows before a bad one "
     "are written.\n\n"
     "Quadrature routes, which add a column claimed_error before the value:";
 
@@ -58,12 +57,12 @@ static int parse(int argc, char **argv, arguments *a)
         {"method", BASE_STRING, &a->method, "ID",
          "reference (the default), an id of sgfit methods, or a route as above", NULL},
         {"quantity", BASE_CHOICE, &a->quantity, "A_h|H|L|c|s",
-         "A_h (the default): integral of G times the clamped cosine; L: A_h over\n"
-         "the integral of G; H: integral of G over the hemisphere; c and s: Meder's\n"
+         "A_h (the default): integral of G times the clamped cosine; L: A_h over "
+         "the integral of G; H: integral of G over the hemisphere; c and s: Meder's "
          "curves. The reference answers all, the others A_h and L",
          NULL},
         {"precision", BASE_CHOICE, &a->precision, "f64|f32|f16",
-         "the method's double, float or half unit; the reference and the routes\n"
+         "the method's double, float or half unit; the reference and the routes "
          "have f64 alone",
          NULL},
         {"certified", BASE_FLAG, &a->certified, NULL,

@@ -80,12 +80,12 @@ int methods_command(int argc, char **argv)
     const base_usage usage = {
         .command = "methods",
         .synopsis = "[options]",
-        .text = "Lists the approximations of the registry: those published, as published and made\n"
+        .text = "Lists the approximations of the registry: those published, as published and made "
                 "stable, and those of our own. sgfit eval evaluates them by their id.",
     };
     const base_option options[] = {
         {"json", BASE_FLAG, &json, NULL,
-         "an array of objects with id, title, year, source, variant, domain, form,\n"
+         "an array of objects with id, title, year, source, variant, domain, form, "
          "the quantity that the form computes natively, and coefficients",
          NULL},
     };

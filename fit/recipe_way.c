@@ -1,0 +1,277 @@
+/* recipe_way.c: the part of a recipe that may be tried in several ways. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "fit/recipe.h"
+
+static const char *const spacing_names[] = {"log", "sqrt", "linear", "beta", "cos_theta"};
+static const char *const objective_names[] = {"least_squares", "minimax", "root"};
+
+const char *recipe_spacing_name(recipe_spacing spacing)
+{
+    return spacing_names[spacing];
+}
+
+const char *recipe_objective_name(recipe_objective objective)
+{
+    return objective_names[objective];
+}
+
+static const cJSON *get(const cJSON *object, const char *key)
+{
+    return cJSON_GetObjectItemCaseSensitive(object, key);
+}
+
+/* The place of text among names[from..to), -1 after one line. */
+static int choose(const char *path, const char *key, const char *text, const char *const *names,
+                  int from, int to)
+{
+    char allowed[128] = "";
+    for (int i = from; i < to; i++) {
+        if (strcmp(names[i], text) == 0)
+            return i;
+        snprintf(allowed + strlen(allowed), sizeof allowed - strlen(allowed), "%s\"%s\"",
+                 i == from ? "" : (i + 1 < to ? ", " : " or "), names[i]);
+    }
+    base_error("%s: key \"%s\": expected %s, found \"%.60s\"", path, key, allowed, text);
+    return -1;
+}
+
+/* ---- Domain and grid ----------------------------------------------------------------------- */
+
+static bool read_range(const char *path, const cJSON *domain, const char *key, double least,
+                       double most, recipe_axis *axis)
+{
+    const cJSON *range = get(domain, key);
+    const cJSON *from = cJSON_GetArrayItem(range, 0), *to = cJSON_GetArrayItem(range, 1);
+    if (!cJSON_IsArray(range) || cJSON_GetArraySize(range) != 2 || !cJSON_IsNumber(from) ||
+        !cJSON_IsNumber(to)) {
+        base_error("%s: key \"domain.%s\": expected two numbers [from, to]", path, key);
+        return false;
+    }
+    axis->from = from->valuedouble;
+    axis->to = to->valuedouble;
+    if (axis->from >= least && axis->to <= most && axis->from < axis->to)
+        return true;
+    base_error("%s: key \"domain.%s\": expected a domain that is not empty, %g <= from < to <= %g, "
+               "found [%g, %g]",
+               path, key, least, most, axis->from, axis->to);
+    return false;
+}
+
+static bool read_domain(const recipe *r, const cJSON *domain, recipe_way *way)
+{
+    static const char *const keys[] = {"lambda", "beta", NULL};
+    static const char *const root_keys[] = {"lambda", NULL};
+    bool root = r->kind == RECIPE_ROOT;
+    return base_json_only(domain, r->path, root ? root_keys : keys) &&
+           read_range(r->path, domain, "lambda", 1e-12, 1e12, &way->lambda) &&
+           (root || read_range(r->path, domain, "beta", 0.0, 180.0, &way->angle));
+}
+
+static bool read_axis(const recipe *r, const cJSON *grid, const char *key, int first, int end,
+                      recipe_axis *axis)
+{
+    static const char *const keys[] = {"spacing", "count", NULL};
+    const cJSON *object;
+    const char *spacing;
+    double count;
+    if (!base_json_object(grid, r->path, key, &object) || !base_json_only(object, r->path, keys) ||
+        !base_json_string(object, r->path, "spacing", &spacing) ||
+        !base_json_f64(object, r->path, "count", &count))
+        return false;
+    int chosen = choose(r->path, "spacing", spacing, spacing_names, first, end);
+    if (chosen < 0)
+        return false;
+    if (!(count >= 2.0 && count <= 20000.0) || count != floor(count)) {
+        base_error("%s: key \"grid.%s.count\": expected a whole number from 2 to 20000, found %g",
+                   r->path, key, count);
+        return false;
+    }
+    axis->spacing = (recipe_spacing)chosen;
+    axis->count = (size_t)count;
+    return true;
+}
+
+static bool read_grid(const recipe *r, const cJSON *grid, recipe_way *way)
+{
+    static const char *const keys[] = {"lambda", "angle", NULL};
+    if (!base_json_only(grid, r->path, keys) ||
+        !read_axis(r, grid, "lambda", SPACING_LOG, SPACING_BETA, &way->lambda) ||
+        !read_axis(r, grid, "angle", SPACING_BETA, SPACING_COS + 1, &way->angle))
+        return false;
+    if ((double)way->lambda.count * (double)way->angle.count <= 2e6)
+        return true;
+    base_error("%s: key \"grid\": expected at most 2e6 samples, found %zu times %zu", r->path,
+               way->lambda.count, way->angle.count);
+    return false;
+}
+
+static bool read_weights(const recipe *r, const cJSON *weights, recipe_way *way)
+{
+    static const char *const keys[] = {"lambda", "value", NULL};
+    way->weight_lambda = way->weight_value = 0.0;
+    if (cJSON_IsString(weights) && strcmp(weights->valuestring, "uniform") == 0)
+        return true;
+    if (!cJSON_IsObject(weights)) {
+        base_error("%s: key \"weights\": expected \"uniform\" or an object with the powers "
+                   "\"lambda\" and \"value\"",
+                   r->path);
+        return false;
+    }
+    return base_json_only(weights, r->path, keys) &&
+           (!get(weights, "lambda") ||
+            base_json_f64(weights, r->path, "lambda", &way->weight_lambda)) &&
+           (!get(weights, "value") || base_json_f64(weights, r->path, "value", &way->weight_value));
+}
+
+/* ---- Coefficients -------------------------------------------------------------------------- */
+
+static recipe_coefficient *find(recipe_way *way, const char *name)
+{
+    for (size_t i = 0; i < way->coefficient_count; i++)
+        if (strcmp(way->coefficients[i].name, name) == 0)
+            return &way->coefficients[i];
+    return NULL;
+}
+
+static bool read_values(const recipe *r, const cJSON *object, const char *key, bool is_free,
+                        recipe_way *way)
+{
+    if (!cJSON_IsObject(object)) {
+        base_error("%s: key \"%s\": expected an object of coefficients", r->path, key);
+        return false;
+    }
+    for (const cJSON *item = object->child; item; item = item->next) {
+        recipe_coefficient *c = find(way, item->string);
+        if (!c) {
+            base_error("%s: key \"%s.%.60s\": expected a coefficient of %s", r->path, key,
+                       item->string, r->form ? r->form->id : r->curve->id);
+            return false;
+        }
+        if (!base_json_f64(object, r->path, item->string, &c->value))
+            return false;
+        if (!isfinite(c->value)) {
+            base_error("%s: key \"%s.%s\": expected a finite number", r->path, key, item->string);
+            return false;
+        }
+        c->free = is_free;
+    }
+    return true;
+}
+
+static bool read_bounds(const recipe *r, const cJSON *bounds, recipe_way *way)
+{
+    if (!cJSON_IsObject(bounds)) {
+        base_error("%s: key \"bounds\": expected an object of [low, high]", r->path);
+        return false;
+    }
+    for (const cJSON *item = bounds->child; item; item = item->next) {
+        recipe_coefficient *c = find(way, item->string);
+        const cJSON *low = cJSON_GetArrayItem(item, 0), *high = cJSON_GetArrayItem(item, 1);
+        if (!c || !c->free || cJSON_GetArraySize(item) != 2 || !cJSON_IsNumber(low) ||
+            !cJSON_IsNumber(high) || !(low->valuedouble < high->valuedouble) ||
+            c->value < low->valuedouble || c->value > high->valuedouble) {
+            base_error(
+                "%s: key \"bounds.%.60s\": expected [low, high] around the start of a fitted "
+                "coefficient",
+                r->path, item->string);
+            return false;
+        }
+        c->lower = low->valuedouble;
+        c->upper = high->valuedouble;
+    }
+    return true;
+}
+
+static bool check_coefficients(const recipe *r, const recipe_way *way)
+{
+    size_t free_count = 0;
+    for (size_t i = 0; i < way->coefficient_count; i++) {
+        if (isnan(way->coefficients[i].value)) {
+            base_error("%s: key \"start\": expected the coefficient \"%s\" here or in \"fixed\"",
+                       r->path, way->coefficients[i].name);
+            return false;
+        }
+        free_count += way->coefficients[i].free;
+    }
+    if (free_count == 0)
+        base_error("%s: key \"start\": expected at least one coefficient", r->path);
+    return free_count > 0;
+}
+
+static void name_coefficients(const recipe *r, recipe_way *way)
+{
+    size_t own = r->form ? (size_t)r->form->coefficient_count : r->curve->count;
+    size_t count = own + (r->form ? 0 : r->curve->tied_count);
+    way->coefficient_count = count;
+    for (size_t i = 0; i < count; i++) {
+        const char *name = r->form   ? r->form->coefficient_names[i]
+                           : i < own ? r->curve->names[i]
+                                     : r->curve->tied_names[i - own];
+        way->coefficients[i] =
+            (recipe_coefficient){name, false, NAN, -INFINITY, INFINITY, NAN, NAN, NULL};
+    }
+}
+
+/* ---- All of it ----------------------------------------------------------------------------- */
+
+static bool read_objective(const recipe *r, const cJSON *object, recipe_way *way)
+{
+    const char *text;
+    if (!base_json_string(object, r->path, "objective", &text))
+        return false;
+    bool root = r->kind == RECIPE_ROOT;
+    int chosen = choose(r->path, "objective", text, objective_names, root ? RECIPE_SOLVE : 0,
+                        root ? RECIPE_SOLVE + 1 : RECIPE_SOLVE);
+    way->objective = (recipe_objective)chosen;
+    return chosen >= 0;
+}
+
+static bool read_quantity(const recipe *r, const cJSON *object, recipe_way *way)
+{
+    static const char *const names[] = {"A_h", "L"};
+    const char *text;
+    if (!base_json_string(object, r->path, "quantity", &text))
+        return false;
+    int chosen = choose(r->path, "quantity", text, names, 0, 2);
+    way->quantity = chosen == 0 ? SG_A_H : SG_L;
+    return chosen >= 0;
+}
+
+/* A part that is missing is an error in a whole way only. */
+static bool part(const recipe *r, const cJSON *object, const char *key, bool is_whole,
+                 const cJSON **value)
+{
+    *value = get(object, key);
+    if (*value || !is_whole)
+        return true;
+    base_error("%s: key \"%s\": expected it to be there", r->path, key);
+    return false;
+}
+
+bool recipe_read_way(recipe *r, const cJSON *object, recipe_way *way, bool is_whole)
+{
+    const cJSON *item;
+    bool root = r->kind == RECIPE_ROOT;
+    if (is_whole && !root)
+        name_coefficients(r, way);
+    if (!part(r, object, "domain", is_whole, &item) || (item && !read_domain(r, item, way)) ||
+        !part(r, object, "objective", is_whole, &item) || (item && !read_objective(r, object, way)))
+        return false;
+    if (root)
+        return true;
+    if (!part(r, object, "grid", is_whole, &item) || (item && !read_grid(r, item, way)) ||
+        !part(r, object, "weights", is_whole, &item) || (item && !read_weights(r, item, way)) ||
+        !part(r, object, "quantity", is_whole && r->form, &item) ||
+        (item && !read_quantity(r, object, way)) || !part(r, object, "start", is_whole, &item) ||
+        (item && !read_values(r, item, "start", true, way)))
+        return false;
+    item = get(object, "fixed");
+    if (item && !read_values(r, item, "fixed", false, way))
+        return false;
+    item = get(object, "bounds");
+    return (!item || read_bounds(r, item, way)) && check_coefficients(r, way);
+}
