@@ -132,7 +132,7 @@ bool report_rmse(report *report)
                "Meder and Brüderlin's figure 7: root mean square error over %d angles at each "
                "sharpness, in double. Their picture crops the constant cosine, which reaches %s "
                "as λ goes to 0; on a logarithmic axis nothing needs cropping, and A_h, which "
-               "falls like 1/λ, no longer hides the errors of L at high sharpness (right).",
+               "falls like 1/λ, no longer hides the errors of L at high sharpness (second panel).",
                SCORE_ANGLES, html_number(constant, 2, text));
     free(profiles);
     return done;

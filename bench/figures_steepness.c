@@ -139,8 +139,8 @@ bool report_steepness(report *report)
     figure_end(report->page,
                "Meder and Brüderlin's figure 6. The t and u that fit the reference best at each λ "
                "by itself (points; least squares over L at %d angles), and the functions of λ that "
-               "stand for them. On the paper's axes the published t looks perfect; on logarithmic "
-               "ones it leaves the points as λ falls: at λ = %s it is %s instead of %s.",
+               "stand for them. On the paper's axes the published t follows the points; on "
+               "logarithmic ones it leaves them as λ falls: at λ = %s it is %s instead of %s.",
                ANGLES, html_number(wide.lambda[0], 1, text[0]),
                html_number(published_t, 2, text[1]), html_number(wide.t[0], 2, text[2]));
     return true;

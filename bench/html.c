@@ -81,7 +81,12 @@ void html_table_begin(page *page, const char *caption, const char *const *column
     FILE *out = page_html(page);
     fputs("<figure class=\"table\">\n<figcaption>", out);
     html_text(out, caption);
-    fputs("</figcaption>\n<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>", out);
+    fputs("</figcaption>\n<div class=\"scroll\" tabindex=\"0\"><table>\n", out);
+    if (!*columns) { /* without a head */
+        fputs("<tbody>\n", out);
+        return;
+    }
+    fputs("<thead><tr>", out);
     for (; *columns; columns++) {
         bool number = **columns == '#';
         fputs(number ? "<th class=\"n\">" : "<th>", out);

@@ -16,7 +16,7 @@ enum { HTML_NUMBER_SIZE = 48 };
 char *html_number(double value, int digits, char text[HTML_NUMBER_SIZE]);
 
 /* A table that scrolls inside its own box. columns: names, NULL-ended; a name that begins with
- * '#' is a column of numbers (aligned right). */
+ * '#' is a column of numbers (aligned right); none at all: a table without a head. */
 void html_table_begin(page *page, const char *caption, const char *const *columns);
 void html_row_begin(page *page, const char *css_class); /* class may be NULL */
 void html_cell(page *page, const char *text);

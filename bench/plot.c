@@ -26,9 +26,9 @@ static void axis(FILE *out, char name, const char *label, bool logarithmic, cons
 {
     fprintf(out, "set %clabel ", name);
     quoted(out, label);
-    fputc('\n', out);
+    fputs(" noenhanced\n", out);
     if (logarithmic)
-        fprintf(out, "set logscale %c\nset format %c \"%%h\"\n", name, name);
+        fprintf(out, "set logscale %c\nset format %c \"10^{%%T}\"\n", name, name);
     if (range[0] < range[1] || range[0] > range[1])
         fprintf(out, "set %crange [%.17g:%.17g]\n", name, range[0], range[1]);
 }
@@ -50,7 +50,9 @@ static void series(FILE *out, const plot *plot, const plot_series *s)
 {
     static const char *const dashes[] = {"", " dt (7,4)", " dt (2,3)", ""};
     double width = s->width > 0.0 ? s->width : 2.0;
-    fprintf(out, "$data using %d:%d with %s lc rgb \"#%06x\" lw %g%s", plot->x + 1, s->y + 1,
+    /* of points every second one: they stand for a curve and need not touch */
+    fprintf(out, "$data%s using %d:%d with %s lc rgb \"#%06x\" lw %g%s",
+            s->style == PLOT_POINTS ? " every 2" : "", plot->x + 1, s->y + 1,
             s->style == PLOT_POINTS ? "points pt 7 ps 0.45" : "lines", (unsigned)s->colour, width,
             dashes[s->style]);
     if (s->label) {
@@ -70,18 +72,19 @@ static char *draw(const plot *plot, bool key)
     size_t legend = key ? 18 * (plot->series_count / 2 + 1) : 0;
     fprintf(out,
             "set encoding utf8\n"
-            "set terminal svg size 480,%zu dynamic noenhanced name \"%s\" "
+            "set terminal svg size 480,%zu dynamic enhanced name \"%s\" "
             "font \"system-ui,sans-serif,14\"\n"
             "set datafile separator ','\nset border 3 lw 0.8\nset tics nomirror out scale 0.6\n"
             "set grid lw 0.6 dt 1 lc rgb \"gray\"\n",
             (size_t)330 + legend, plot->id);
-    fputs(key ? "set key outside below left Left reverse maxcols 2 samplen 2 font \",12\"\n"
+    fputs(key ? "set key outside below left Left reverse maxcols 2 samplen 2 noenhanced font "
+                "\",12\"\n"
               : "unset key\n",
           out);
     if (key) {
         fputs("set title ", out);
         quoted(out, plot->title);
-        fputs("\n", out);
+        fputs(" noenhanced\n", out);
     }
     axis(out, 'x', plot->x_label, plot->x_log, plot->x_range);
     axis(out, 'y', plot->y_label, plot->y_log, plot->y_range);

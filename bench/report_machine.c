@@ -54,7 +54,7 @@ static void version_of(const char *command, char *text, size_t size)
 
 bool report_machine(report *report)
 {
-    static const char *const columns[] = {"", "", NULL};
+    static const char *const columns[] = {NULL};
     page *page = report->page;
     char text[256];
     struct utsname system = {0};
