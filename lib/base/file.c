@@ -71,7 +71,8 @@ static bool flush_to_disk(FILE *stream)
 {
     errno = 0;
     if (fflush(stream) != 0 || ferror(stream)) {
-        if (errno == 0)
+        /* Which write failed first is forgotten by now, and why: another will tell. */
+        if (errno == 0 && write(fileno(stream), "", 1) >= 0)
             errno = EIO;
         return false;
     }

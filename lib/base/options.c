@@ -7,30 +7,51 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { HELP_WIDTH = 98, HELP_COLUMN = 30 };
+
+/* Text from a column on, its own line ends kept, longer lines broken at blanks. */
+static void print_wrapped(const char *text, int column)
+{
+    while (true) {
+        int length = (int)strcspn(text, "\n");
+        int part = length;
+        if (length > HELP_WIDTH - column) {
+            part = HELP_WIDTH - column;
+            while (part > 0 && text[part] != ' ')
+                part--;
+            if (part == 0) /* one long word */
+                part = (int)strcspn(text, " \n");
+        }
+        printf("%.*s\n", part, text);
+        text += part;
+        if (*text == '\0')
+            return;
+        text++; /* the blank or line end */
+        printf("%*s", column, "");
+    }
+}
+
 static void print_help(const base_usage *usage, const base_option *options, size_t count)
 {
     printf("usage: sgfit %s%s%s\n", usage->command, usage->synopsis && *usage->synopsis ? " " : "",
            usage->synopsis ? usage->synopsis : "");
-    if (usage->text && *usage->text)
-        printf("\n%s\n", usage->text);
+    if (usage->text && *usage->text) {
+        putchar('\n');
+        print_wrapped(usage->text, 0);
+    }
     printf("\noptions:\n");
     for (size_t i = 0; i < count; i++) {
         char left[128];
-        snprintf(left, sizeof left, "--%s%s%s", options[i].name, options[i].argument ? " " : "",
-                 options[i].argument ? options[i].argument : "");
-        if (strlen(left) > 26)
-            printf("  %s\n  %-26s  ", left, "");
+        int length = snprintf(left, sizeof left, "  --%s%s%s", options[i].name,
+                              options[i].argument ? " " : "",
+                              options[i].argument ? options[i].argument : "");
+        if (length > HELP_COLUMN - 2)
+            printf("%s\n%*s", left, HELP_COLUMN, "");
         else
-            printf("  %-26s  ", left);
-        /* Help of several lines is indented under its first. */
-        for (const char *p = options[i].help ? options[i].help : ""; *p; p++) {
-            putchar(*p);
-            if (*p == '\n')
-                printf("%30s", "");
-        }
-        putchar('\n');
+            printf("%-*s", HELP_COLUMN, left);
+        print_wrapped(options[i].help ? options[i].help : "", HELP_COLUMN);
     }
-    printf("  %-26s  %s\n", "--help", "prints this");
+    printf("%-*s%s\n", HELP_COLUMN, "  --help", "prints this");
 }
 
 static bool is_choice(const char *choices, const char *value)
