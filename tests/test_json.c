@@ -68,6 +68,16 @@ static void json_layout(void **state)
     cJSON_Delete(root);
 }
 
+static void text_that_is_no_utf_8_is_marked(void **state)
+{
+    (void)state;
+    char *text =
+        base_json_quote("\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82 \xe9t\xe9 \xc0\xaf \xed\xa0\x80");
+    assert_string_equal(text, "\"\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82 \\ufffdt\\ufffd "
+                              "\\ufffd\\ufffd \\ufffd\\ufffd\\ufffd\"");
+    free(text);
+}
+
 static void bad_json_names_file_and_line(void **state)
 {
     (void)state;
@@ -144,6 +154,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(json_numbers_survive_a_round_trip),
         cmocka_unit_test(json_layout),
+        cmocka_unit_test(text_that_is_no_utf_8_is_marked),
         cmocka_unit_test(bad_json_names_file_and_line),
         cmocka_unit_test(json_fields_are_checked),
     };

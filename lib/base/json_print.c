@@ -48,22 +48,39 @@ static void put_break(text_buffer *out, int depth)
         put_text(out, "  ");
 }
 
+/* Bytes of the UTF-8 character at p, 0 where there is none. */
+static size_t character_length(const char *p)
+{
+    const unsigned char *u = (const unsigned char *)p;
+    size_t length = u[0] < 0x80 ? 1 : u[0] < 0xc2 ? 0 : u[0] < 0xe0 ? 2 : u[0] < 0xf0 ? 3 : 4;
+    if (u[0] > 0xf4)
+        return 0;
+    for (size_t i = 1; i < length; i++)
+        if ((u[i] & 0xc0) != 0x80)
+            return 0;
+    /* Longer than need be, a surrogate, beyond the last character. */
+    bool wrong = (u[0] == 0xe0 && u[1] < 0xa0) || (u[0] == 0xed && u[1] > 0x9f) ||
+                 (u[0] == 0xf0 && u[1] < 0x90) || (u[0] == 0xf4 && u[1] > 0x8f);
+    return wrong ? 0 : length;
+}
+
 static void put_string(text_buffer *out, const char *text)
 {
     put_text(out, "\"");
-    for (const char *p = text ? text : ""; *p; p++) {
+    for (const char *p = text ? text : ""; *p;) {
         char escape[8];
-        if (*p == '"' || *p == '\\')
-            snprintf(escape, sizeof escape, "\\%c", *p);
-        else if (*p == '\n')
-            strcpy(escape, "\\n");
-        else if (*p == '\t')
-            strcpy(escape, "\\t");
-        else if ((unsigned char)*p < 0x20)
-            snprintf(escape, sizeof escape, "\\u%04x", (unsigned)(unsigned char)*p);
+        size_t length = character_length(p);
+        if (length == 0) /* bytes that are no text become the mark for that */
+            put_text(out, "\\ufffd");
+        else if (length > 1 || ((unsigned char)*p >= 0x20 && *p != '"' && *p != '\\'))
+            put(out, p, length);
+        else if (*p == '"' || *p == '\\')
+            put(out, escape, (size_t)snprintf(escape, sizeof escape, "\\%c", *p));
+        else if (*p == '\n' || *p == '\t')
+            put_text(out, *p == '\n' ? "\\n" : "\\t");
         else
-            snprintf(escape, sizeof escape, "%c", *p);
-        put_text(out, escape);
+            put(out, escape, (size_t)snprintf(escape, sizeof escape, "\\u%04x", (unsigned)*p));
+        p += length ? length : 1;
     }
     put_text(out, "\"");
 }
