@@ -2,7 +2,7 @@
 // computes: A_h
 // coefficients: c0
 // source: Pettineo and Hill 2016 (SG Series, part 3)
-// For lambda >= 1 only: below it diverges, is negative below 0.56 and is NaN where 1 - scale is not
+// For lambda >= 1 only: below it diverges, is negative below 0.58 and is NaN where 1 - scale is not
 // positive.
 real sg_form(real lambda, real cos_theta)
 {
