@@ -14,28 +14,28 @@
 //   L    A_h over the integral of the lobe alone: the same for a lobe that integrates to 1
 //
 // Methods, and the largest error of L in float:
-//   wang_2009                              Cosine as a lobe, the common fit
-//   wang_2009_stable                       Cosine as a lobe, the common fit, stable
-//   pettineo_hill_2016                     Fitted irradiance of Pettineo and Hill
-//   pettineo_hill_2016_stable              Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
-//   tokuyoshi_2016                         Cosine as a lobe of sharpness 2
-//   tokuyoshi_2016_stable                  Cosine as a lobe of sharpness 2, stable
-//   constant_cosine                        Cosine constant over the lobe
-//   constant_cosine_stable                 Cosine constant over the lobe, stable
-//   meder_2018                             Logistic between the poles
-//   meder_2018_hg                          Hemispherical Gaussians, logistic
-//   meder_2018_hg_stable                   Hemispherical Gaussians, logistic, stable
-//   meder_2018_stable                      Logistic between the poles, stable
-//   tokuyoshi_2022                         Hemispherical Gaussians, error function
-//   tokuyoshi_2022_stable                  Hemispherical Gaussians, error function, stable
-//   tokuyoshi_2024                         Planar Gaussian between the poles
-//   tokuyoshi_2024_stable                  Planar Gaussian between the poles, stable
+//   wang_2009                    0.171     Cosine as a lobe, the common fit
+//   wang_2009_stable             0.17      Cosine as a lobe, the common fit, stable
+//   pettineo_hill_2016           0.0367    Fitted irradiance of Pettineo and Hill
+//   pettineo_hill_2016_stable    0.0367    Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
+//   tokuyoshi_2016               0.154     Cosine as a lobe of sharpness 2
+//   tokuyoshi_2016_stable        0.153     Cosine as a lobe of sharpness 2, stable
+//   constant_cosine              0.75      Cosine constant over the lobe
+//   constant_cosine_stable       0.75      Cosine constant over the lobe, stable
+//   meder_2018                   inf       Logistic between the poles
+//   meder_2018_hg                0.0348    Hemispherical Gaussians, logistic
+//   meder_2018_hg_stable         0.0111    Hemispherical Gaussians, logistic, stable
+//   meder_2018_stable            0.00528   Logistic between the poles, stable
+//   tokuyoshi_2022               0.00393   Hemispherical Gaussians, error function
+//   tokuyoshi_2022_stable        0.00369   Hemispherical Gaussians, error function, stable
+//   tokuyoshi_2024               0.00128   Planar Gaussian between the poles
+//   tokuyoshi_2024_stable        0.00128   Planar Gaussian between the poles, stable
 #ifndef SG_GLSL
 #define SG_GLSL
 
-// sg_mean: mean resultant length of a lobe, coth lambda - 1/lambda: 0 at 0, 1 at infinity.
-// It is also L(lambda, z) - L(lambda, -z) over z, exactly, for every z. Below 1 its continued
-// fraction lambda/(3 + lambda^2/(5 + lambda^2/(7 + ...))) cut after 13: relative error 9e-12.
+// sg_mean: mean resultant length of a lobe, coth lambda - 1/lambda: 0 at 0, 1 at infinity. It is
+// also L(lambda, z) - L(lambda, -z) over z, exactly, for every z. Below 1 its continued fraction
+// lambda/(3 + lambda^2/(5 + lambda^2/(7 + ...))) cut after 13: relative error 9e-12.
 float sg_mean(float lambda)
 {
     float q = lambda * lambda;
@@ -46,10 +46,10 @@ float sg_mean(float lambda)
     return lambda < 1.0 ? inner : outer;
 }
 
-// sg_L_b: L of a lobe against the normal: 1/4 at 0, 0 at infinity.
-// (1 - (1 + lambda) e^-lambda)/(lambda (e^lambda - e^-lambda)). L along the normal is sg_L_b + sg_mean.
-// Below 1, where the formula cancels, half of the difference between L(z = 1) + L(z = -1), which is
-// 1 - tanh(lambda/2)/lambda (by its continued fraction, relative error 9e-11), and sg_mean.
+// sg_L_b: L of a lobe against the normal: 1/4 at 0, 0 at infinity. (1 - (1 + lambda)
+// e^-lambda)/(lambda (e^lambda - e^-lambda)). L along the normal is sg_L_b + sg_mean. Below 1,
+// where the formula cancels, half of the difference between L(z = 1) + L(z = -1), which is 1 -
+// tanh(lambda/2)/lambda (by its continued fraction, relative error 9e-11), and sg_mean.
 float sg_L_b(float lambda)
 {
     float q = lambda * lambda;
@@ -60,9 +60,9 @@ float sg_L_b(float lambda)
     return lambda < 1.0 ? 0.5 * (sum - sg_mean(lambda)) : outer;
 }
 
-// sg_expm1: e^x - 1, without the cancellation next to 0.
-// Below 1/2 as x/(y coth y - y) with y = x/2: its even part is 1 + x^2/12 - x^4/720 + x^6/30240,
-// cut where the next term is 3.3e-9 (Bernoulli numbers over factorials). Elsewhere nothing cancels.
+// sg_expm1: e^x - 1, without the cancellation next to 0. Below 1/2 as x/(y coth y - y) with y =
+// x/2: its even part is 1 + x^2/12 - x^4/720 + x^6/30240, cut where the next term is 3.3e-9
+// (Bernoulli numbers over factorials). Elsewhere nothing cancels.
 float sg_expm1(float x)
 {
     float q = x * x;
@@ -113,27 +113,26 @@ float sg_A_u(float lambda)
     return sg_integral(lambda) * (sg_L_b(lambda) + sg_mean(lambda));
 }
 
-// sg_A_u_printed: A_h of a lobe along the normal, as Meder and Bruederlin print it (eq. 9).
-// It cancels for small lambda: in float 2 % off at 1e-3. sg_A_u is the one to use.
+// sg_A_u_printed: A_h of a lobe along the normal, as Meder and Bruederlin print it (eq. 9). It
+// cancels for small lambda: in float 2 % off at 1e-3. sg_A_u is the one to use.
 float sg_A_u_printed(float lambda)
 {
     const float sg_pi = 3.14159265358979;
     return 2.0 * sg_pi / (lambda * lambda) * (exp(-lambda) - 1.0 + lambda);
 }
 
-// sg_L_from_A_h: L of a method whose text computes A_h.
-// Where the integral over the sphere has run out of range (an infinite sharpness) the quotient's
-// limit, the clamped cosine; NaN stays NaN.
+// sg_L_from_A_h: L of a method whose text computes A_h. Where the integral over the sphere has run
+// out of range (an infinite sharpness) the quotient's limit, the clamped cosine; NaN stays NaN.
 float sg_L_from_A_h(float A_h, float lambda, float cos_theta)
 {
     float area = sg_integral(lambda);
     return area == 0.0 ? max(cos_theta, 0.0) : A_h / area;
 }
 
-// sg_erfc: the complementary error function; 0 at infinity, 2 at minus infinity.
-// e^(-x^2) times a function that varies little: by powers of y = 1 - 5/(x + 2.5)
-// (tables/erf_coefficients.c made them: Chebyshev interpolation of degree 10, relative error
-// 8.6e-9). In float the rounding of x^2 adds x^2 6e-8 to the relative error of the tail.
+// sg_erfc: the complementary error function; 0 at infinity, 2 at minus infinity. e^(-x^2) times a
+// function that varies little: by powers of y = 1 - 5/(x + 2.5) (tables/erf_coefficients.c made
+// them: Chebyshev interpolation of degree 10, relative error 8.6e-9). In float the rounding of x^2
+// adds x^2 6e-8 to the relative error of the tail.
 float sg_erfc(float x)
 {
     float size = abs(x);
@@ -146,10 +145,9 @@ float sg_erfc(float x)
     return x < 0.0 ? 2.0 - tail : tail;
 }
 
-// sg_erf: the error function.
-// Up to 1 by powers of 2x^2 - 1 (tables/erf_coefficients.c made them: Chebyshev interpolation of
-// degree 6, relative error 1.3e-9), which keeps the relative error next to 0; beyond 1 the
-// complement.
+// sg_erf: the error function. Up to 1 by powers of 2x^2 - 1 (tables/erf_coefficients.c made them:
+// Chebyshev interpolation of degree 6, relative error 1.3e-9), which keeps the relative error next
+// to 0; beyond 1 the complement.
 float sg_erf(float x)
 {
     float size = abs(x);
@@ -160,8 +158,8 @@ float sg_erf(float x)
     return size < 1.0 ? x * inner : x < 0.0 ? -outer : outer;
 }
 
-// sg_erf_step: (erf(x + h/2) - erf(x - h/2))/h for a small step h, without the difference.
-// The midpoint rule and its first correction: relative error below h^4/100.
+// sg_erf_step: (erf(x + h/2) - erf(x - h/2))/h for a small step h, without the difference. The
+// midpoint rule and its first correction: relative error below h^4/100.
 float sg_erf_step(float x, float h)
 {
     float q = x * x;
@@ -169,19 +167,18 @@ float sg_erf_step(float x, float h)
 }
 
 // sg_evaluate_near: a lobe of amplitude 1 in a direction, in [0, 1], from |direction - axis|^2 in
-// [0, 4].
-// That square is 2 - 2 cos theta, and does not round to 0 next to the axis.
+// [0, 4]. That square is 2 - 2 cos theta, and does not round to 0 next to the axis.
 float sg_evaluate_near(float lambda, float difference_squared)
 {
     return exp(-0.5 * lambda * difference_squared);
 }
 
 // sg_gain_step: (Q - 1)/step, Q = sinh(product)/product over sinh(lambda)/lambda, product = lambda
-// + step.
-// Q is what the integral of a lobe over the sphere gains when the lobe is multiplied by e^(c (w.n)) and
-// has the sharpness `product` afterwards. |step| < 0.05. No difference of nearly equal numbers: below 1
-// the divided difference of the power series in x^2 (cut where 6/13! follows), elsewhere
-// Q - 1 = (lambda (cosh step - 1) + lambda coth(lambda) sinh(step) - step)/product.
+// + step. Q is what the integral of a lobe over the sphere gains when the lobe is multiplied by
+// e^(c (w.n)) and has the sharpness `product` afterwards. |step| < 0.05. No difference of nearly
+// equal numbers: below 1 the divided difference of the power series in x^2 (cut where 6/13!
+// follows), elsewhere Q - 1 = (lambda (cosh step - 1) + lambda coth(lambda) sinh(step) -
+// step)/product.
 float sg_gain_step(float lambda, float product, float step)
 {
     float q = lambda * lambda;
@@ -203,9 +200,8 @@ float sg_gain_step(float lambda, float product, float step)
 }
 
 // sg_hemisphere_erf: H over A, the share of a lobe's integral that lies in the hemisphere, as
-// Tokuyoshi
-// interpolates it between the poles, given its steepness t. The poles' integrals over A are 1/(1 +
-// e^-lambda) and e^-lambda/(1 + e^-lambda). 0/0 at lambda = 0, as printed.
+// Tokuyoshi interpolates it between the poles, given its steepness t. The poles' integrals over A
+// are 1/(1 + e^-lambda) and e^-lambda/(1 + e^-lambda). 0/0 at lambda = 0, as printed.
 // Source: Tokuyoshi 2022, eq. 1
 float sg_hemisphere_erf(float lambda, float cos_theta, float t)
 {
@@ -215,10 +211,9 @@ float sg_hemisphere_erf(float lambda, float cos_theta, float t)
 }
 
 // sg_hemisphere_logistic: H, the integral of a lobe over the hemisphere, by a normalised logistic
-// of steepness t.
-// As published, s = (ab - 1)/((a - 1)(b + 1)) with a = e^t and b = e^(tz), in the reciprocals a' =
-// e^-t and b' = e^-t|z| in which public implementations evaluate it, because a overflows. 0/0 where
-// a' rounds to 1.
+// of steepness t. As published, s = (ab - 1)/((a - 1)(b + 1)) with a = e^t and b = e^(tz), in the
+// reciprocals a' = e^-t and b' = e^-t|z| in which public implementations evaluate it, because a
+// overflows. 0/0 where a' rounds to 1.
 // Source: Meder and Bruederlin 2018 (Hemispherical Gaussians)
 float sg_hemisphere_logistic(float lambda, float cos_theta, float t)
 {
@@ -239,9 +234,8 @@ float sg_one_minus_exp_over(float x)
 }
 
 // sg_product_log_amplitude: logarithm of what the amplitude of a product of two lobes loses, in
-// (-inf, 0].
-// lambda3 - lambda1 - lambda2, lambda3 the product's sharpness, from |v1 - v2|^2 in [0, 4] and
-// without cancellation: -lambda1 lambda2 |v1 - v2|^2/(lambda1 + lambda2 + lambda3).
+// (-inf, 0]. lambda3 - lambda1 - lambda2, lambda3 the product's sharpness, from |v1 - v2|^2 in [0,
+// 4] and without cancellation: -lambda1 lambda2 |v1 - v2|^2/(lambda1 + lambda2 + lambda3).
 // Source: Xu et al. 2014; Meder and Bruederlin 2018, eq. 3
 float sg_product_log_amplitude(float lambda1, float lambda2, float lambda3, float difference_squared)
 {
@@ -250,9 +244,8 @@ float sg_product_log_amplitude(float lambda1, float lambda2, float lambda3, floa
 }
 
 // sg_product_sharpness: sharpness of the product of two lobes, |lambda1 v1 + lambda2 v2|, from |v1
-// + v2|^2 in [0, 4].
-// No cancellation for opposite axes, no overflow below 1e38; 0 for opposite lobes of equal
-// sharpness.
+// + v2|^2 in [0, 4]. No cancellation for opposite axes, no overflow below 1e38; 0 for opposite
+// lobes of equal sharpness.
 // Source: Xu et al. 2014; Meder and Bruederlin 2018, eq. 3
 float sg_product_sharpness(float lambda1, float lambda2, float sum_squared)
 {
@@ -271,11 +264,18 @@ float sg_tanh_half(float x)
 }
 
 // wang_2009: Cosine as a lobe, the common fit (published, 2009).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_A_h_wang_2009 returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.171 at lambda 8859, beta 0.01257 (cos_theta 0.9999); RMSE 0.0491
+//   double  max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
 // Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
 //   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
 //   eqs 2 and 3
+// Form lobe_product: the clamped cosine as one lobe about the normal; the product's integral, as
+// published. The exponent cancels (in float all of it is lost by lambda = 1e8); opposite lobes of
+// equal sharpness give 0/0.
 float sg_A_h_wang_2009(float lambda, float cos_theta)
 {
     const float sg_pi = 3.14159265358979;
@@ -287,17 +287,25 @@ float sg_A_h_wang_2009(float lambda, float cos_theta)
     return amplitude * (2.0 * sg_pi) / sharpness * (1.0 - exp(-2.0 * sharpness));
 }
 
+// sg_L_wang_2009 returns L, in [0, 1] up to its error.
+// Domain, error and source: above.
 float sg_L_wang_2009(float lambda, float cos_theta)
 {
     return sg_L_from_A_h(sg_A_h_wang_2009(lambda, cos_theta), lambda, cos_theta);
 }
 
 // wang_2009_stable: Cosine as a lobe, the common fit, stable (stable, 2009).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_wang_2009_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
+//   double  max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
 // Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
 //   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
 //   eqs 2 and 3
+// Form lobe_product_stable: the clamped cosine as one lobe about the normal; exponent and integrals
+// without cancellation. Sharpnesses in units of their sum, so that no square overflows. Not below
+// 0; up to cosine_amplitude, which may be more than 1.
 float sg_L_wang_2009_stable(float lambda, float cos_theta)
 {
     const float cosine_amplitude = 1.17;
@@ -314,15 +322,24 @@ float sg_L_wang_2009_stable(float lambda, float cos_theta)
     return 1.0 / (1.0 + lambda) <= 1.0e-37 ? cosine_amplitude * exp(-0.5 * drop) : value;
 }
 
+// sg_A_h_wang_2009_stable returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_wang_2009_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_wang_2009_stable(lambda, cos_theta), lambda);
 }
 
 // pettineo_hill_2016: Fitted irradiance of Pettineo and Hill (published, 2016).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_A_h_pettineo_hill_2016 returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
 // Domain: lambda in [1, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00528
+//   double  max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00528
 // Source: Pettineo and Hill, SG Series Part 3: Diffuse Lighting From an SG Light Source, 2016
+// Form pettineo_hill: Pettineo's and Hill's fit of the irradiance, as published. For lambda >= 1
+// only: below it diverges, is negative below 0.58 and is NaN where 1 - scale is not positive.
 float sg_A_h_pettineo_hill_2016(float lambda, float cos_theta)
 {
     const float sg_pi = 3.14159265358979;
@@ -341,6 +358,8 @@ float sg_A_h_pettineo_hill_2016(float lambda, float cos_theta)
     return (scale * y + bias) * (2.0 * sg_pi) * r;
 }
 
+// sg_L_pettineo_hill_2016 returns L, in [0, 1] up to its error.
+// Domain, error and source: above.
 float sg_L_pettineo_hill_2016(float lambda, float cos_theta)
 {
     return sg_L_from_A_h(sg_A_h_pettineo_hill_2016(lambda, cos_theta), lambda, cos_theta);
@@ -348,9 +367,17 @@ float sg_L_pettineo_hill_2016(float lambda, float cos_theta)
 
 // pettineo_hill_2016_stable: Fitted irradiance of Pettineo and Hill, Hermite continuation below
 //   lambda = 1 (stable, 2016).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_pettineo_hill_2016_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00455
+//   double  max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00455
 // Source: Pettineo and Hill, SG Series Part 3: Diffuse Lighting From an SG Light Source, 2016
+// Form pettineo_hill_stable: Pettineo's and Hill's fit from lambda = 1 up, below it a Hermite
+// continuation to the exact 1/4. 1 - scale is formed as 1/lambda - 2 e^-2lambda, which does not
+// cancel. Below lambda = 1, where the fit diverges, the Hermite continuation: the cubic in lambda
+// with the fit's own value and slope at 1 and, at 0, the integral's value 1/4 and slope z/6 (both
+// exact).
 float sg_L_pettineo_hill_2016_stable(float lambda, float cos_theta)
 {
     const float c0 = 0.36;
@@ -384,16 +411,26 @@ float sg_L_pettineo_hill_2016_stable(float lambda, float cos_theta)
     return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : found;
 }
 
+// sg_A_h_pettineo_hill_2016_stable returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_pettineo_hill_2016_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_pettineo_hill_2016_stable(lambda, cos_theta), lambda);
 }
 
 // tokuyoshi_2016: Cosine as a lobe of sharpness 2 (published, 2016).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_A_h_tokuyoshi_2016 returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.154 at lambda 8508, beta 0.8482 (cos_theta 0.6613); RMSE 0.0537
+//   double  max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
 // Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
 //   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
+// Form lobe_product: the clamped cosine as one lobe about the normal; the product's integral, as
+// published. The exponent cancels (in float all of it is lost by lambda = 1e8); opposite lobes of
+// equal sharpness give 0/0.
 float sg_A_h_tokuyoshi_2016(float lambda, float cos_theta)
 {
     const float sg_pi = 3.14159265358979;
@@ -405,16 +442,24 @@ float sg_A_h_tokuyoshi_2016(float lambda, float cos_theta)
     return amplitude * (2.0 * sg_pi) / sharpness * (1.0 - exp(-2.0 * sharpness));
 }
 
+// sg_L_tokuyoshi_2016 returns L, in [0, 1] up to its error.
+// Domain, error and source: above.
 float sg_L_tokuyoshi_2016(float lambda, float cos_theta)
 {
     return sg_L_from_A_h(sg_A_h_tokuyoshi_2016(lambda, cos_theta), lambda, cos_theta);
 }
 
 // tokuyoshi_2016_stable: Cosine as a lobe of sharpness 2, stable (stable, 2016).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_tokuyoshi_2016_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
+//   double  max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
 // Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
 //   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
+// Form lobe_product_stable: the clamped cosine as one lobe about the normal; exponent and integrals
+// without cancellation. Sharpnesses in units of their sum, so that no square overflows. Not below
+// 0; up to cosine_amplitude, which may be more than 1.
 float sg_L_tokuyoshi_2016_stable(float lambda, float cos_theta)
 {
     const float cosine_amplitude = 1.0;
@@ -431,45 +476,71 @@ float sg_L_tokuyoshi_2016_stable(float lambda, float cos_theta)
     return 1.0 / (1.0 + lambda) <= 1.0e-37 ? cosine_amplitude * exp(-0.5 * drop) : value;
 }
 
+// sg_A_h_tokuyoshi_2016_stable returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_tokuyoshi_2016_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_tokuyoshi_2016_stable(lambda, cos_theta), lambda);
 }
 
 // constant_cosine: Cosine constant over the lobe (published, 2018).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_A_h_constant_cosine returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
+//   double  max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 2 and 7
+// Form constant_cosine: the cosine taken as constant over the lobe, as published: a directional
+// light.
 float sg_A_h_constant_cosine(float lambda, float cos_theta)
 {
     const float sg_pi = 3.14159265358979;
     return max(cos_theta, 0.0) * (2.0 * sg_pi / lambda * (1.0 - exp(-2.0 * lambda)));
 }
 
+// sg_L_constant_cosine returns L, in [0, 1] up to its error.
+// Domain, error and source: above.
 float sg_L_constant_cosine(float lambda, float cos_theta)
 {
     return sg_L_from_A_h(sg_A_h_constant_cosine(lambda, cos_theta), lambda, cos_theta);
 }
 
 // constant_cosine_stable: Cosine constant over the lobe, stable (stable, 2018).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_constant_cosine_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
+//   double  max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 2 and 7
+// Form constant_cosine_stable: the cosine taken as constant over the lobe; the lobe's integral has
+// gone from L.
 float sg_L_constant_cosine_stable(float lambda, float cos_theta)
 {
     // the sharpness has no part in it, but a NaN there stays one
     return lambda == lambda ? clamp(cos_theta, 0.0, 1.0) : lambda;
 }
 
+// sg_A_h_constant_cosine_stable returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_constant_cosine_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_constant_cosine_stable(lambda, cos_theta), lambda);
 }
 
 // meder_2018: Logistic between the poles (published, 2018).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_A_h_meder_2018 returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max inf at lambda 92.24, beta 0 (cos_theta 1); RMSE inf
+//   double  max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
+// Form meder_logistic: between the poles by clamped and normalised cosine, weighted by a logistic
+// curve, as published. In float NaN from lambda = 88.7 on (e^lambda), and wrong by more than 1e-2
+// below 2e-3 (A_u cancels).
 float sg_A_h_meder_2018(float lambda, float cos_theta)
 {
     const float t_scale = 2.1007;
@@ -483,16 +554,25 @@ float sg_A_h_meder_2018(float lambda, float cos_theta)
     return c * sg_A_u_printed(lambda) + (1.0 - c) * sg_A_b_printed(lambda);
 }
 
+// sg_L_meder_2018 returns L, in [0, 1] up to its error.
+// Domain, error and source: above.
 float sg_L_meder_2018(float lambda, float cos_theta)
 {
     return sg_L_from_A_h(sg_A_h_meder_2018(lambda, cos_theta), lambda, cos_theta);
 }
 
 // meder_2018_hg: Hemispherical Gaussians, logistic (published, 2018).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_A_h_meder_2018_hg returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.0348 at lambda 8508, beta 1.323 (cos_theta 0.2456); RMSE 0.00324
+//   double  max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00297
 // Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
 //   offset as public implementations carry it (Tokuyoshi's poster prints 31.703)
+// Form hemisphere_logistic: the clamped cosine as a lobe less a constant, hemispheres by a logistic
+// curve, as published. Two numbers of about 32 are subtracted and the exponent cancels: in float
+// 0.03 is lost at lambda = 1e4. e^-t rounds to 1 below lambda = 1e-5: NaN there.
 float sg_A_h_meder_2018_hg(float lambda, float cos_theta)
 {
     const float cosine_amplitude = 32.708;
@@ -513,17 +593,28 @@ float sg_A_h_meder_2018_hg(float lambda, float cos_theta)
         - cosine_offset * sg_hemisphere_logistic(lambda, cos_theta, t);
 }
 
+// sg_L_meder_2018_hg returns L, in [0, 1] up to its error.
+// Domain, error and source: above.
 float sg_L_meder_2018_hg(float lambda, float cos_theta)
 {
     return sg_L_from_A_h(sg_A_h_meder_2018_hg(lambda, cos_theta), lambda, cos_theta);
 }
 
 // meder_2018_hg_stable: Hemispherical Gaussians, logistic, stable (stable, 2018).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_meder_2018_hg_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00292
+//   double  max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00292
 // Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
 //   offset as public implementations carry it (Tokuyoshi's poster prints 31.703); cosine_scale =
 //   32.708 e^-0.0315, cosine_rest = cosine_scale - 31.7003
+// Form hemisphere_logistic_stable: the clamped cosine as a lobe less a constant, hemispheres by a
+// logistic curve; the difference in closed form. As hemisphere_erf_stable, with R = tanh(t
+// z/2)/tanh(t/2), which is 2s - 1 of the published logistic s, and with L = scale/2 (Q (1 + T3 R3)
+// - (1 + T R)) + rest/2 (1 + T R), where scale = amplitude e^-c and rest = scale - offset are
+// coefficients, because their difference cancels. Cut at 0: at grazing angles the model itself is
+// negative, down to rest/2 at z = 0 and to rest just above it as the sharpness grows.
 float sg_L_meder_2018_hg_stable(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 0.0315;
@@ -586,15 +677,25 @@ float sg_L_meder_2018_hg_stable(float lambda, float cos_theta)
     return v <= 1.0e-37 ? limit : value;
 }
 
+// sg_A_h_meder_2018_hg_stable returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_meder_2018_hg_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_meder_2018_hg_stable(lambda, cos_theta), lambda);
 }
 
 // meder_2018_stable: Logistic between the poles, stable (stable, 2018).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_meder_2018_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
+//   double  max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
+// Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
+// logistic curve; L from the start. The poles are A_b/A = sg_L_b and A_u/A = sg_L_b + sg_mean, and
+// the weight of the poles is max(z, 0) + s (1 - |z|)/2: a sum of terms that are not negative, so
+// that nothing cancels and no exponential grows.
 float sg_L_meder_2018_stable(float lambda, float cos_theta)
 {
     const float t_scale = 2.1007;
@@ -611,16 +712,28 @@ float sg_L_meder_2018_stable(float lambda, float cos_theta)
     return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
 }
 
+// sg_A_h_meder_2018_stable returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_meder_2018_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_meder_2018_stable(lambda, cos_theta), lambda);
 }
 
 // tokuyoshi_2022: Hemispherical Gaussians, error function (published, 2022).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_tokuyoshi_2022 returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00393 at lambda 5.915, beta 0.9142 (cos_theta 0.6104); RMSE 0.00056
+//   double  max 0.00369 at lambda 5.915, beta 0.9519 (cos_theta 0.5801); RMSE 0.000557
 // Source: Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, eq. 1 and
 //   section 2
+// Form hemisphere_erf: the clamped cosine as a lobe less a constant, hemispheres by an error
+// function, as published. L = alpha (p - q), p and q hemispheres of the product and of the lobe
+// over A, cut at 0. The product's exponent and the integrals are written without cancellation, as
+// the poster's results were computed; what float still loses is the rounding of p and q, enlarged
+// by alpha, which is 1182. p and q lie within a factor of 2 of each other, so that p - q is exact
+// and Kahan's difference of alpha p and alpha q could not do better.
 float sg_L_tokuyoshi_2022(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 8.456087224148012e-4;
@@ -640,16 +753,29 @@ float sg_L_tokuyoshi_2022(float lambda, float cos_theta)
     return max(alpha * (p - q), 0.0);
 }
 
+// sg_A_h_tokuyoshi_2022 returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_tokuyoshi_2022(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_tokuyoshi_2022(lambda, cos_theta), lambda);
 }
 
 // tokuyoshi_2022_stable: Hemispherical Gaussians, error function, stable (stable, 2022).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_tokuyoshi_2022_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00369 at lambda 5.915, beta 0.955 (cos_theta 0.5776); RMSE 0.000557
+//   double  max 0.00369 at lambda 5.915, beta 0.9519 (cos_theta 0.5801); RMSE 0.000557
 // Source: Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, eq. 1 and
 //   section 2
+// Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error
+// function; the difference in closed form. With c the cosine's sharpness, the hemisphere of a lobe
+// is A/2 (1 + T R), T = tanh(lambda/2), R = erf(t z)/erf(t), and L = alpha/2 (Q (1 + T3 R3) - (1 +
+// T R)), where 3 marks the product and Q = A3 e^sharpness3 / (A e^lambda). alpha c is about 1: each
+// of Q - 1, T3 - T, t3 - t ... is formed divided by c, from sharpness3 - lambda = c (2 lambda z +
+// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0, below which the
+// model itself falls, to -5.1e-4 at (9.1, z = -0.81).
 float sg_L_tokuyoshi_2022_stable(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 8.456087224148012e-4;
@@ -694,16 +820,26 @@ float sg_L_tokuyoshi_2022_stable(float lambda, float cos_theta)
     return v <= 1.0e-37 ? alpha * sg_expm1(c * max(z, 0.0)) : value;
 }
 
+// sg_A_h_tokuyoshi_2022_stable returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_tokuyoshi_2022_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_tokuyoshi_2022_stable(lambda, cos_theta), lambda);
 }
 
 // tokuyoshi_2024: Planar Gaussian between the poles (published, 2024).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_A_h_tokuyoshi_2024 returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
+//   double  max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
 // Source: Tokuyoshi et al., Hierarchical Light Sampling with Accurate Spherical Gaussian Lighting,
 //   2024, supplement
+// Form cosine_erf: between the poles by the integral of a planar Gaussian times a clamped plane, as
+// published. 0/0 at lambda = 0. A_u and A_b are taken without cancellation; in float nothing else
+// is lost.
 float sg_A_h_tokuyoshi_2024(float lambda, float cos_theta)
 {
     const float sg_pi = 3.14159265358979;
@@ -721,16 +857,24 @@ float sg_A_h_tokuyoshi_2024(float lambda, float cos_theta)
     return lower + s * (sg_A_u(lambda) - lower);
 }
 
+// sg_L_tokuyoshi_2024 returns L, in [0, 1] up to its error.
+// Domain, error and source: above.
 float sg_L_tokuyoshi_2024(float lambda, float cos_theta)
 {
     return sg_L_from_A_h(sg_A_h_tokuyoshi_2024(lambda, cos_theta), lambda, cos_theta);
 }
 
 // tokuyoshi_2024_stable: Planar Gaussian between the poles, stable (stable, 2024).
-// Returns L, in [0, 1], and A_h, in [0, pi], but for the errors below.
+// sg_L_tokuyoshi_2024_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
+//   double  max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
 // Source: Tokuyoshi et al., Hierarchical Light Sampling with Accurate Spherical Gaussian Lighting,
 //   2024, supplement
+// Form cosine_erf_stable: between the poles by the integral of a planar Gaussian times a clamped
+// plane; L from the start. The steepness is written in v = 1/(1 + lambda), so that no power of
+// lambda overflows, and expm1(y)/t as t expm1(y)/t^2, which is not 0/0 at lambda = 0.
 float sg_L_tokuyoshi_2024_stable(float lambda, float cos_theta)
 {
     const float t_a = 2.736083161127256;
@@ -752,6 +896,9 @@ float sg_L_tokuyoshi_2024_stable(float lambda, float cos_theta)
     return v <= 1.0e-37 ? max(z, 0.0) : value;
 }
 
+// sg_A_h_tokuyoshi_2024_stable returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
 float sg_A_h_tokuyoshi_2024_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_tokuyoshi_2024_stable(lambda, cos_theta), lambda);
