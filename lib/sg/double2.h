@@ -81,9 +81,11 @@ static inline double sg_exp_minus_small(double u)
     return parts.value * sg_power_minus(parts.n);
 }
 
-/* e^-(hi + lo) for hi >= 0 and lo below an ulp of hi; 0 from 746 on. */
+/* e^-(hi + lo) for hi >= 0 and |lo| below 1e-10, which it is cut to; 0 from hi = 746 on. */
 static inline double sg_exp_minus(double hi, double lo)
 {
+    lo = lo < 1e-10 ? lo : 1e-10;
+    lo = lo > -1e-10 ? lo : -1e-10;
     sg_exp_parts parts = sg_exp_reduced(hi < 800.0 ? hi : 800.0, lo);
     /* in two steps, because 2^-1074 is below the normal range */
     int64_t half = (int64_t)((uint64_t)parts.n >> 1);

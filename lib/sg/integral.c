@@ -6,7 +6,7 @@
  * second is the same wherever the library runs. */
 static double even_integral(const sg_sharpness *s, const sg_direction *d)
 {
-    double end = sg_cut(s, d), value[SG_GAUSS_NODES], sum = 0.0;
+    double end = sg_cut(s->lambda, d), value[SG_GAUSS_NODES], sum = 0.0;
     for (int k = 0; k < SG_GAUSS_NODES; k++)
         value[k] = sg_gauss_weight[k] *
                    sg_even_node(s->lambda, d->sine, d->cosine, end * sg_gauss_node[k]);
@@ -17,7 +17,7 @@ static double even_integral(const sg_sharpness *s, const sg_direction *d)
 
 static double odd_integral(const sg_sharpness *s, const sg_direction *d)
 {
-    double end = sg_cut(s, d), value[SG_GAUSS_NODES], sum = 0.0;
+    double end = sg_cut(s->lambda, d), value[SG_GAUSS_NODES], sum = 0.0;
     for (int k = 0; k < SG_GAUSS_NODES; k++)
         value[k] =
             sg_gauss_weight[k] * sg_odd_node(s->lambda, d->sine, d->cosine, end * sg_gauss_node[k]);
@@ -29,7 +29,7 @@ static double odd_integral(const sg_sharpness *s, const sg_direction *d)
 /* kappa D/2 pi */
 static double excess(const sg_sharpness *s, const sg_direction *d)
 {
-    return s->rise * d->one_minus_sine + sg_horizon_factor(s, d) * even_integral(s, d);
+    return s->rise * d->one_minus_sine + sg_horizon_factor(s->lambda, d) * even_integral(s, d);
 }
 
 /* kappa A_h/2 pi */
@@ -67,7 +67,7 @@ static double value_H(double lambda, const sg_direction *d)
     if (isinf(lambda))
         return 0.0;
     sg_sharpness s = sg_sharpness_of(lambda);
-    double below = s.dark + sg_horizon_factor(&s, d) * odd_integral(&s, d);
+    double below = s.dark + sg_horizon_factor(lambda, d) * odd_integral(&s, d);
     return SG_TWO_PI * ((d->z > 0.0 ? s.all - below : below) / s.kappa);
 }
 
@@ -101,8 +101,7 @@ static double value_s(double lambda, const sg_direction *d)
     /* next to a pole the integral falls like delta^4 and 1 - |z| like delta^2 */
     double around = 0.0;
     if (d->cosine > 1e-20)
-        around =
-            sg_horizon_factor(&sharpness, d) * even_integral(&sharpness, d) / d->one_minus_sine;
+        around = sg_horizon_factor(lambda, d) * even_integral(&sharpness, d) / d->one_minus_sine;
     return 2.0 * (sharpness.rise + around) / sharpness.odd;
 }
 
@@ -158,21 +157,3 @@ ENTRY(H)
 ENTRY(L)
 ENTRY(c)
 ENTRY(s)
-
-void sg_A_h_batch(size_t n, const double *lambda, const double *beta, double *out)
-{
-    for (size_t i = 0; i < n; i++)
-        out[i] = sg_A_h(lambda[i], beta[i]);
-}
-
-void sg_A_h_cos_batch(size_t n, const double *lambda, const double *cos_theta, double *out)
-{
-    for (size_t i = 0; i < n; i++)
-        out[i] = sg_A_h_cos(lambda[i], cos_theta[i]);
-}
-
-void sg_L_cos_batch(size_t n, const double *lambda, const double *cos_theta, double *out)
-{
-    for (size_t i = 0; i < n; i++)
-        out[i] = sg_L_cos(lambda[i], cos_theta[i]);
-}

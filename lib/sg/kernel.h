@@ -42,29 +42,24 @@ static inline sg_sharpness sg_sharpness_of(double lambda)
     /* below 1 by series of positive terms, l being lambda there */
     double l = lambda < 1.0 ? lambda : 1.0, l2 = l * l;
     /* rise/l = e^-2lambda sum_{k>=0} (k(k+5)/2 + 2) l^k/(k+3)! */
-    double rise = 0.0;
-    {
-        static const double c[] = {0x1.5555555555555p-2,
-                                   5.0 / 24.0,
-                                   9.0 / 120.0,
-                                   14.0 / 720.0,
-                                   20.0 / 5040.0,
-                                   27.0 / 40320.0,
-                                   35.0 / 362880.0,
-                                   44.0 / 3628800.0,
-                                   54.0 / 39916800.0,
-                                   65.0 / 479001600.0,
-                                   77.0 / 6227020800.0,
-                                   90.0 / 87178291200.0,
-                                   104.0 / 1307674368000.0,
-                                   119.0 / 20922789888000.0,
-                                   135.0 / 355687428096000.0,
-                                   152.0 / 6402373705728000.0,
-                                   170.0 / 121645100408832000.0,
-                                   189.0 / 2432902008176640000.0};
-        for (int k = 17; k >= 0; k--)
-            rise = rise * l + c[k];
-    }
+    double rise = 189.0 / 2432902008176640000.0;
+    rise = rise * l + 170.0 / 121645100408832000.0;
+    rise = rise * l + 152.0 / 6402373705728000.0;
+    rise = rise * l + 135.0 / 355687428096000.0;
+    rise = rise * l + 119.0 / 20922789888000.0;
+    rise = rise * l + 104.0 / 1307674368000.0;
+    rise = rise * l + 90.0 / 87178291200.0;
+    rise = rise * l + 77.0 / 6227020800.0;
+    rise = rise * l + 65.0 / 479001600.0;
+    rise = rise * l + 54.0 / 39916800.0;
+    rise = rise * l + 44.0 / 3628800.0;
+    rise = rise * l + 35.0 / 362880.0;
+    rise = rise * l + 27.0 / 40320.0;
+    rise = rise * l + 20.0 / 5040.0;
+    rise = rise * l + 14.0 / 720.0;
+    rise = rise * l + 9.0 / 120.0;
+    rise = rise * l + 5.0 / 24.0;
+    rise = rise * l + 2.0 / 6.0;
     /* odd/l = 2 e^-lambda sum_{k>=1} 2k l^(2k-2)/(2k+1)!, all = 2 e^-lambda sinh(l)/l */
     double odd = 18.0 / 121645100408832000.0, all = 1.0 / 121645100408832000.0;
     odd = odd * l2 + 16.0 / 355687428096000.0, all = all * l2 + 1.0 / 355687428096000.0;
@@ -103,17 +98,17 @@ typedef struct sg_direction {
 
 static inline sg_direction sg_direction_of_cosine(double z)
 {
-    double sine = z < 0.0 ? -z : z;
+    double sine = fabs(z);
     sine = sine < 1.0 ? sine : 1.0;
     sg_double2 square = sg_two_product(sine, sine);
     sg_double2 rest = sg_two_sum(1.0, -square.hi);
     rest.lo -= square.lo;
     double sum = rest.hi + rest.lo;
     double root = sqrt(sum);
-    /* one Newton step carries the root to two doubles */
+    /* one Newton step carries the root to two doubles; 2^-1000 is for root = 0 */
     sg_double2 root_square = sg_two_product(root, root);
     double defect = (rest.hi - root_square.hi) + (rest.lo - root_square.lo);
-    double root_lo = root > 0.0 ? defect / (2.0 * root) : 0.0;
+    double root_lo = defect / (2.0 * root + 0x1p-1000);
     sg_double2 divisor = sg_two_sum(1.0, root);
     divisor.lo += root_lo;
     double quotient = square.hi / divisor.hi;
@@ -125,7 +120,7 @@ static inline sg_direction sg_direction_of_cosine(double z)
     d.one_minus_sine = 1.0 - sine;
     d.pole_sine = sqrt(0.5 * d.one_minus_sine);
     d.one_minus_cosine = (sg_double2){quotient, remainder / divisor.hi};
-    d.z = z < 0.0 ? -sine : sine;
+    d.z = copysign(sine, z);
     return d;
 }
 
@@ -157,18 +152,16 @@ static inline sg_double2 sg_versine(sg_double2 a)
 
 static inline sg_direction sg_direction_of_angle(double beta)
 {
-    /* a = |beta - pi/2| in two doubles, from three of pi, because pi/2 is not a double and all of
-     * a may lie in what the first one leaves */
+    /* beta - pi/2 in two doubles, from three of pi, because pi/2 is not a double and all of the
+     * difference may lie in what the first one leaves */
     sg_double2 coarse = sg_two_sum(beta, -0.5 * SG_PI_HI);
     sg_double2 fine = sg_two_sum(coarse.lo, -0.5 * SG_PI_LO);
-    sg_double2 a = sg_two_sum(coarse.hi, fine.hi);
-    a.lo += fine.lo - 0.5 * SG_PI_REST;
-    int below = beta > 0.5 * SG_PI_HI;
-    a.hi = below ? a.hi : -a.hi;
-    a.lo = below ? a.lo : -a.lo;
-    double delta = below ? (SG_PI_HI - beta) + SG_PI_LO : beta;
-    int near_horizon = a.hi < delta;
-    double y = near_horizon ? a.hi + a.lo : delta, y2 = y * y; /* at most pi/4 */
+    sg_double2 offset = sg_two_sum(coarse.hi, fine.hi);
+    offset.lo += fine.lo - 0.5 * SG_PI_REST;
+    sg_double2 a = {fabs(offset.hi), offset.lo * copysign(1.0, offset.hi)};
+    double from_pi = (SG_PI_HI - beta) + SG_PI_LO;
+    double delta = beta < from_pi ? beta : from_pi;
+    double y = a.hi < delta ? a.hi : delta, y2 = y * y; /* at most pi/4 */
     double sine = 1.0 / 355687428096000.0;
     sine = sine * y2 - 1.0 / 1307674368000.0;
     sine = sine * y2 + 1.0 / 6227020800.0;
@@ -187,39 +180,37 @@ static inline sg_direction sg_direction_of_angle(double beta)
     versine = versine * y2 - 1.0 / 720.0;
     versine = versine * y2 + 1.0 / 24.0;
     versine = y2 * (0.5 - y2 * versine); /* 1 - cos y */
+    /* one selection, and products with 0 and 1, because several would become a branch */
+    double near = a.hi < delta ? 1.0 : 0.0, far = 1.0 - near;
     sg_direction d;
-    d.sine = near_horizon ? sine : 1.0 - versine;
-    d.cosine = near_horizon ? 1.0 - versine : sine;
-    d.one_minus_sine = near_horizon ? 1.0 - sine : versine;
+    d.sine = near * sine + far * (1.0 - versine);
+    d.cosine = near * (1.0 - versine) + far * sine;
+    d.one_minus_sine = near * (1.0 - sine) + far * versine;
     d.pole_sine = sqrt(0.5 * d.one_minus_sine);
     d.one_minus_cosine = sg_versine(a);
-    d.z = below ? -d.sine : d.sine;
+    d.z = copysign(d.sine, -offset.hi);
     return d;
 }
 
-/* e^-E, E = lambda (1 - cos a). */
-static inline double sg_horizon_factor(const sg_sharpness *s, const sg_direction *d)
+/* e^-E, E = lambda (1 - cos a). Powers of 2 keep the splitting of a huge lambda and the product
+ * from overflowing. */
+static inline double sg_horizon_factor(double lambda, const sg_direction *d)
 {
-    /* powers of 2 keep the splitting of a huge lambda from overflowing; where the product is
-     * beyond what exp can show it is not formed at all */
-    int shown = s->lambda * d->one_minus_cosine.hi < 800.0;
-    double lambda = shown ? s->lambda : 0.0;
-    double scale = lambda > 0x1p500 ? 0x1p-500 : 1.0, back = lambda > 0x1p500 ? 0x1p500 : 1.0;
-    sg_double2 exponent = sg_two_product(lambda * scale, d->one_minus_cosine.hi * back);
-    exponent.lo += lambda * d->one_minus_cosine.lo;
-    double value = sg_exp_minus(exponent.hi, exponent.lo);
-    return shown ? value : 0.0;
+    sg_double2 exponent = sg_two_product(lambda * 0x1p-100, d->one_minus_cosine.hi * 0x1p90);
+    double lo = exponent.lo + (lambda * 0x1p-100) * (d->one_minus_cosine.lo * 0x1p90);
+    return sg_exp_minus(exponent.hi * 0x1p10, lo * 0x1p10);
 }
 
 /* The upper end of the integral in y: the pole, or where u = 40, which is a quadratic equation
  * in the tangent of half the angle. */
-static inline double sg_cut(const sg_sharpness *s, const sg_direction *d)
+static inline double sg_cut(double lambda, const sg_direction *d)
 {
-    double y = 40.0 / s->kappa;
+    double y = 40.0 / (lambda > 1.0 ? lambda : 1.0);
     double under = d->sine * d->sine + y * (2.0 * d->cosine - y);
-    double tangent = y / (d->sine + sqrt(under > 0.0 ? under : 0.0));
+    under = 0.5 * (under + fabs(under)); /* where it is negative, this branch is not taken */
+    double tangent = y / (d->sine + sqrt(under));
     double cut = tangent / sqrt(1.0 + tangent * tangent);
-    return s->lambda * d->cosine <= 40.0 ? d->pole_sine : cut;
+    return lambda * d->cosine <= 40.0 ? d->pole_sine : cut;
 }
 
 /* The piecewise polynomial of bessel_table.inc at r in [0, 1/8]. The table holds one row for each
