@@ -3,6 +3,7 @@
 #include "gnuplot.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,6 +39,8 @@ static pid_t start(FILE *input, int output[2], int *error)
     posix_spawn_file_actions_adddup2(&actions, fileno(input), STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
     posix_spawn_file_actions_addclose(&actions, output[0]);
+    /* its complaints take several lines; that the drawing is missing is told in one */
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     pid_t child = -1;
     *error = posix_spawnp(&child, name, &actions, NULL, arguments, environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -92,6 +95,14 @@ char *gnuplot_run(const char *script, size_t size)
         return NULL;
     }
     return svg;
+}
+
+bool gnuplot_there(void)
+{
+    static const char smallest[] = "set terminal svg\nplot x\n";
+    char *svg = gnuplot_run(smallest, sizeof smallest - 1);
+    free(svg);
+    return svg != NULL;
 }
 
 /* ---- Adapting ------------------------------------------------------------------------------ */

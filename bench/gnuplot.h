@@ -9,6 +9,9 @@
  * at the end; NULL after one line that says what is missing or wrong. */
 char *gnuplot_run(const char *script, size_t size);
 
+/* Whether it can be run at all; false after the same line. */
+bool gnuplot_there(void);
+
 /* gnuplot's SVG made fit to stand inside a page as the element `id` (inside = true: colours from
  * the style sheet, no header, names made unique) or in a file of its own (fixed colours). label
  * is its description for readers who do not see it. Colours are recognised by the numbers that

@@ -112,6 +112,14 @@ void html_cell(page *page, const char *text)
     fputs("</td>", out);
 }
 
+void html_cell_wrap(page *page, const char *text)
+{
+    FILE *out = page_html(page);
+    fputs("<td class=\"wrap\">", out);
+    html_text(out, text);
+    fputs("</td>", out);
+}
+
 void html_cell_code(page *page, const char *text)
 {
     FILE *out = page_html(page);

@@ -20,6 +20,7 @@ char *html_number(double value, int digits, char text[HTML_NUMBER_SIZE]);
 void html_table_begin(page *page, const char *caption, const char *const *columns);
 void html_row_begin(page *page, const char *css_class); /* class may be NULL */
 void html_cell(page *page, const char *text);
+void html_cell_wrap(page *page, const char *text); /* a sentence: may take several lines */
 void html_cell_code(page *page, const char *text);
 void html_cell_number(page *page, double value, int digits);
 /* As html_cell_number, with a class and a tooltip (either may be NULL). */

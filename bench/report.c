@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "file.h"
+#include "gnuplot.h"
 #include "options.h"
 #include "page_css.h"
 #include "progress.h"
@@ -90,7 +91,9 @@ int report_command(int argc, char **argv)
     }
     if (root)
         base_set_source_root(root);
-    /* A minute of work is not begun for a folder that cannot be written. */
+    /* Work is not begun for a folder that cannot be written, or without the means to draw. */
+    if (!gnuplot_there())
+        return BASE_FAILED;
     if (!base_make_directory(out))
         return BASE_FAILED;
     if (access(out, W_OK) != 0) {

@@ -52,6 +52,9 @@ typedef struct report_model {
  * defined everywhere), then the refits of it that the registry holds. Returns how many. */
 size_t report_family(const char *published, report_model models[REPORT_MODELS_MAX]);
 
+/* The published method that this one's id continues ("ID_refit"); NULL where there is none. */
+const sg_method *report_published(const sg_method *method);
+
 /* "id" of a published model's stable form is shown without its ending; else the id. */
 const char *report_label(const report_model *model, char text[64]);
 

@@ -1,7 +1,292 @@
-/* report_fits.c */
+/* report_fits.c: what the recipes of `sgfit fit` gave, as tables/constants records it: published
+ * constants regenerated, what was tried where that failed, and new constants beside the old. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "file.h"
+#include "html.h"
+#include "json.h"
 #include "report.h"
+#include "text.h"
+
+/* ---- Reading -------------------------------------------------------------------------------- */
+
+typedef struct constants {
+    size_t count;
+    char **names;
+    cJSON **files;
+} constants;
+
+static void free_constants(constants *c)
+{
+    for (size_t i = 0; c->files && i < c->count; i++)
+        cJSON_Delete(c->files[i]);
+    free(c->files);
+    base_list_free(c->names, c->count);
+}
+
+static bool read_constants(constants *c)
+{
+    *c = (constants){0};
+    char *folder = base_join(base_source_root(), "tables/constants");
+    bool done = base_list(folder, ".json", &c->names, &c->count);
+    c->files = done ? calloc(c->count + 1, sizeof *c->files) : NULL;
+    for (size_t i = 0; c->files && i < c->count && done; i++) {
+        char *path = base_join(folder, c->names[i]);
+        c->files[i] = base_json_read(path);
+        done = c->files[i] != NULL;
+        free(path);
+    }
+    free(folder);
+    return done && c->files;
+}
+
+static const char *text_of(const cJSON *object, const char *key)
+{
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+    return cJSON_IsString(item) ? item->valuestring : "";
+}
+
+static double number_of(const cJSON *object, const char *key)
+{
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+    double value;
+    if (cJSON_IsString(item) &&
+        base_parse_f64(item->valuestring, strlen(item->valuestring), &value))
+        return value;
+    return cJSON_IsNumber(item) ? item->valuedouble : (double)NAN;
+}
+
+/* "least_squares, λ 0.25 to 10000, log × cos_theta, uniform" */
+static void describe(const cJSON *entry, char *text, size_t size)
+{
+    const cJSON *lambda = cJSON_GetObjectItemCaseSensitive(
+        cJSON_GetObjectItemCaseSensitive(entry, "domain"), "lambda");
+    const cJSON *grid = cJSON_GetObjectItemCaseSensitive(entry, "grid");
+    const cJSON *weights = cJSON_GetObjectItemCaseSensitive(entry, "weights");
+    const char *spacing = text_of(cJSON_GetObjectItemCaseSensitive(grid, "lambda"), "spacing");
+    char number[4][HTML_NUMBER_SIZE], weight[64] = "";
+    if (cJSON_IsObject(weights))
+        snprintf(weight, sizeof weight, ", weight λ^%s",
+                 html_number(number_of(weights, "lambda"), 2, number[2]));
+    const cJSON *low = cJSON_GetArrayItem(lambda, 0), *high = cJSON_GetArrayItem(lambda, 1);
+    snprintf(text, size, "%s; λ from %s to %s%s%s%s", text_of(entry, "objective"),
+             html_number(cJSON_IsNumber(low) ? low->valuedouble : (double)NAN, 2, number[0]),
+             html_number(cJSON_IsNumber(high) ? high->valuedouble : (double)INFINITY, 2, number[1]),
+             *spacing ? ", spacing " : "", spacing, weight);
+    for (char *c = text; *c; c++)
+        *c = *c == '_' ? ' ' : *c;
+}
+
+/* ---- Published constants, regenerated ------------------------------------------------------- */
+
+typedef struct tally {
+    size_t constants, met;
+} tally;
+
+static void write_constant(page *page, FILE *csv, const char *method, const cJSON *recipe,
+                           const cJSON *constant, bool first, tally *tally)
+{
+    char text[5][BASE_NUMBER_SIZE], how[200];
+    double published = number_of(constant, "published"), ours = number_of(constant, "ours");
+    double relative = number_of(constant, "relative"), bar = number_of(constant, "bar");
+    bool met = !(relative > bar);
+    describe(recipe, how, sizeof how);
+    base_shortest_f64(published, text[0]);
+    base_shortest_f64(ours, text[1]);
+    fprintf(csv, "%s,%s,%s,%s,%s,%s,%s\n", method, recipe->string, constant->string, text[0],
+            text[1], base_shortest_f64(relative, text[2]), base_shortest_f64(bar, text[3]));
+    html_row_begin(page, first ? "group" : NULL);
+    html_cell_code(page, first ? method : "");
+    html_cell_code(page, constant->string);
+    html_cell(page, text[0]);
+    html_cell(page, text[1]);
+    html_cell_marked(page, relative, 2, met ? "good" : "bad", NULL);
+    if (isnan(bar))
+        html_cell(page, "");
+    else
+        html_cell_number(page, bar, 2);
+    html_cell_wrap(page, first ? how : "");
+    html_row_end(page);
+    tally->constants++;
+    tally->met += met && !isnan(bar);
+}
+
+static tally write_regenerated(report *report, const constants *c)
+{
+    static const char *const columns[] = {
+        "method", "constant", "published", "ours", "#relative difference", "#allowed", "how", NULL};
+    page *page = report->page;
+    tally tally = {0, 0};
+    FILE *csv = page_file_begin(page, "data/fits.csv");
+    fputs("method,recipe,constant,published,ours,relative_difference,allowed\n", csv);
+    html_table_begin(page, "Published constants, regenerated from the integral.", columns);
+    for (size_t i = 0; i < c->count; i++) {
+        const cJSON *recipe, *constant;
+        cJSON_ArrayForEach(recipe, cJSON_GetObjectItemCaseSensitive(c->files[i], "regenerated"))
+        {
+            bool first = true;
+            cJSON_ArrayForEach(constant, cJSON_GetObjectItemCaseSensitive(recipe, "constants"))
+            {
+                write_constant(page, csv, text_of(c->files[i], "id"), recipe, constant, first,
+                               &tally);
+                first = false;
+            }
+        }
+    }
+    page_file_end(page);
+    html_table_end(page, "data/fits.csv");
+    return tally;
+}
+
+/* ---- What was tried -------------------------------------------------------------------------- */
+
+static void write_attempt(page *page, const cJSON *recipe, const cJSON *attempt, bool first)
+{
+    char list[512] = "", how[200], number[HTML_NUMBER_SIZE];
+    size_t used = 0;
+    const cJSON *constant;
+    cJSON_ArrayForEach(constant, cJSON_GetObjectItemCaseSensitive(attempt, "constants"))
+    {
+        if (used < sizeof list)
+            used += (size_t)snprintf(
+                list + used, sizeof list - used, "%s%s = %s", used ? ", " : "", constant->string,
+                html_number(cJSON_IsNumber(constant) ? constant->valuedouble : (double)NAN, 5,
+                            number));
+    }
+    describe(attempt, how, sizeof how);
+    html_row_begin(page, first ? "group" : NULL);
+    html_cell_code(page, first ? recipe->string : "");
+    html_cell_wrap(page, text_of(attempt, "what"));
+    html_cell_wrap(page, list);
+    html_cell_number(page, number_of(attempt, "rms"), 2);
+    html_cell_wrap(page, how);
+    html_row_end(page);
+}
+
+static void write_tried(report *report, const constants *c)
+{
+    static const char *const columns[] = {"recipe",        "other way", "gives",
+                                          "#rms residual", "how",       NULL};
+    page *page = report->page;
+    bool any = false;
+    for (size_t i = 0; i < c->count; i++) {
+        const cJSON *recipe, *attempt;
+        cJSON_ArrayForEach(recipe, cJSON_GetObjectItemCaseSensitive(c->files[i], "regenerated"))
+        {
+            bool first = true;
+            cJSON_ArrayForEach(attempt, cJSON_GetObjectItemCaseSensitive(recipe, "tried"))
+            {
+                if (!any)
+                    html_table_begin(page,
+                                     "Other ways that were tried to reach the published "
+                                     "constants, and what they give.",
+                                     columns);
+                any = true;
+                write_attempt(page, recipe, attempt, first);
+                first = false;
+            }
+        }
+    }
+    if (any)
+        html_table_end(page, NULL);
+    for (size_t i = 0; i < c->count; i++) {
+        const cJSON *recipe;
+        cJSON_ArrayForEach(recipe, cJSON_GetObjectItemCaseSensitive(c->files[i], "regenerated"))
+        {
+            if (*text_of(recipe, "note"))
+                html_paragraph(page, "`%s`: %s", recipe->string, text_of(recipe, "note"));
+        }
+    }
+}
+
+/* ---- New constants --------------------------------------------------------------------------- */
+
+static size_t index_of(const sg_method *method)
+{
+    size_t i = 0;
+    while (i < sg_method_count() && sg_method_at(i) != method)
+        i++;
+    return i;
+}
+
+static const cJSON *provenance_of(const constants *c, const char *id)
+{
+    for (size_t i = 0; i < c->count; i++)
+        if (strcmp(text_of(c->files[i], "id"), id) == 0)
+            return cJSON_GetObjectItemCaseSensitive(c->files[i], "provenance");
+    return NULL;
+}
+
+static void write_refit(report *report, const constants *c, size_t index, FILE *csv)
+{
+    page *page = report->page;
+    const sg_method *method = sg_method_at(index), *old = report_published(method);
+    const score_result *now = &report->scores[index][SCORE_F64];
+    const score_result *before = old ? &report->scores[index_of(old)][SCORE_F64] : NULL;
+    char how[200] = "", text[4][BASE_NUMBER_SIZE];
+    const cJSON *provenance = provenance_of(c, method->id);
+    if (provenance)
+        describe(provenance, how, sizeof how);
+    html_row_begin(page, NULL);
+    html_cell_code(page, method->id);
+    html_cell_code(page, method->form->id);
+    html_cell_number(page, before ? before->max_abs : (double)NAN, 3);
+    html_cell_number(page, now->max_abs, 3);
+    html_cell_number(page, before ? before->rmse : (double)NAN, 3);
+    html_cell_number(page, now->rmse, 3);
+    html_cell_wrap(page, how);
+    html_row_end(page);
+    fprintf(csv, "%s,%s,%s,%s,%s,%s,%s\n", method->id, method->form->id, old ? old->id : "",
+            base_shortest_f64(before ? before->max_abs : (double)NAN, text[0]),
+            base_shortest_f64(now->max_abs, text[1]),
+            base_shortest_f64(before ? before->rmse : (double)NAN, text[2]),
+            base_shortest_f64(now->rmse, text[3]));
+}
+
+static void write_refits(report *report, const constants *c)
+{
+    static const char *const columns[] = {"method",
+                                          "form",
+                                          "#max |error| as published",
+                                          "#refitted",
+                                          "#RMSE as published",
+                                          "#refitted",
+                                          "how",
+                                          NULL};
+    FILE *csv = page_file_begin(report->page, "data/refits.csv");
+    fputs("method,form,published,max_abs_published,max_abs,rmse_published,rmse\n", csv);
+    html_table_begin(report->page, "New constants, beside the published ones (L in double).",
+                     columns);
+    for (size_t i = 0; i < report->methods; i++) {
+        const char *variant = sg_method_at(i)->variant;
+        if (strcmp(variant, "refit") == 0)
+            write_refit(report, c, i, csv);
+    }
+    page_file_end(report->page);
+    html_table_end(report->page, "data/refits.csv");
+}
+
 bool report_fits(report *report)
 {
-    (void)report;
-    return true;
+    constants c;
+    bool done = read_constants(&c);
+    if (done) {
+        html_paragraph(report->page,
+                       "The recipes in `fit/recipes` start from nothing but the integral. Each is "
+                       "solved by Ceres and by NLopt, which must agree; the result is scored with "
+                       "the reference. “Allowed” is the relative difference that a recipe promises "
+                       "at most.");
+        tally tally = write_regenerated(report, &c);
+        html_paragraph(report->page,
+                       "%zu published constants were fitted again; %zu lie within "
+                       "what their recipe promises.",
+                       tally.constants, tally.met);
+        write_tried(report, &c);
+        write_refits(report, &c);
+    }
+    free_constants(&c);
+    return done;
 }

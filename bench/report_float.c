@@ -36,7 +36,7 @@ static finding look(const sg_method *method, double lambda)
             f.amount[0] = (double)INFINITY;
             continue;
         }
-        if (value < 0.0 && twin >= 0.0)
+        if (value < -1e-6 && twin >= 0.0)
             f.amount[1] = fmax(f.amount[1], -value);
         if (fabs(value - twin) > 1e-3)
             f.amount[2] = fmax(f.amount[2], fabs(value - twin));
@@ -125,10 +125,7 @@ static void write_range(page *page, FILE *csv, const sg_method *method, const ra
     else
         html_cell_marked(page, 0.0, 1, NULL, "from the lowest sharpness scanned, 1e-10");
     html_cell_number(page, r->to, 3);
-    if (r->kind == 0)
-        html_cell(page, "NaN or ∞");
-    else
-        html_cell_marked(page, r->worst, 2, "bad", NULL);
+    html_cell_marked(page, r->worst, 2, "bad", r->kind == 0 ? "NaN or infinite" : NULL);
     html_row_end(page);
 }
 

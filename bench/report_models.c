@@ -12,15 +12,15 @@ static bool is(const sg_method *method, const char *variant)
 
 /* The published id that a method's id continues: the longest, so that meder_2018_hg_refit belongs
  * to meder_2018_hg and not to meder_2018. */
-static const char *published_of(const sg_method *method)
+const sg_method *report_published(const sg_method *method)
 {
-    const char *best = NULL;
+    const sg_method *best = NULL;
     size_t length = 0;
     for (size_t i = 0; i < sg_method_count(); i++) {
         const sg_method *m = sg_method_at(i);
         size_t n = strlen(m->id);
         if (is(m, "published") && n > length && strncmp(method->id, m->id, n) == 0) {
-            best = m->id;
+            best = m;
             length = n;
         }
     }
@@ -39,8 +39,8 @@ size_t report_family(const char *published, report_model models[REPORT_MODELS_MA
         models[count++] = (report_model){first, false};
     for (size_t i = 0; i < sg_method_count() && count < REPORT_MODELS_MAX; i++) {
         const sg_method *m = sg_method_at(i);
-        const char *base = is(m, "refit") ? published_of(m) : NULL;
-        if (base && strcmp(base, published) == 0)
+        const sg_method *base = is(m, "refit") ? report_published(m) : NULL;
+        if (base && strcmp(base->id, published) == 0)
             models[count++] = (report_model){m, true};
     }
     return count;

@@ -41,6 +41,12 @@ static double relative(const outcome *o)
     return isfinite(error) ? error : (double)INFINITY;
 }
 
+/* The claim, relative to the route's own value: 0 of 0 is a claim of 0. */
+static double claimed(const outcome *o)
+{
+    return o->result.claimed_error == 0.0 ? 0.0 : o->result.claimed_error / fabs(o->result.value);
+}
+
 static const outcome *at(const outcome *all, size_t route, size_t s, size_t a)
 {
     return &all[(route * SHARPNESSES + s) * ANGLES + a];
@@ -62,8 +68,7 @@ static void write_csv(report *report, const outcome *all)
                         base_shortest_f64(angle[a], text[1]), base_shortest_f64(o->truth, text[2]),
                         base_shortest_f64(o->result.value, text[3]),
                         error < 0.0 ? "" : base_shortest_f64(error, text[4]));
-                fprintf(out, "%s,%ld,%s\n",
-                        base_shortest_f64(o->result.claimed_error / fabs(o->result.value), text[0]),
+                fprintf(out, "%s,%ld,%s\n", base_shortest_f64(claimed(o), text[0]),
                         o->result.evaluations, sg_status_string(o->status));
             }
     page_file_end(report->page);
@@ -85,8 +90,7 @@ static void write_cell(page *page, const outcome *all, size_t route, size_t s)
     char tooltip[200], numbers[4][HTML_NUMBER_SIZE];
     snprintf(tooltip, sizeof tooltip, "β = %s: %s instead of %s; claimed relative error %s",
              html_number(angle[where], 3, numbers[0]), html_number(o->result.value, 3, numbers[1]),
-             html_number(o->truth, 3, numbers[2]),
-             html_number(o->result.claimed_error / fabs(o->result.value), 1, numbers[3]));
+             html_number(o->truth, 3, numbers[2]), html_number(claimed(o), 1, numbers[3]));
     html_cell_marked(page, worst, 1, worst > failed ? "bad" : "good", tooltip);
 }
 
@@ -138,19 +142,48 @@ static void write_failures(report *report, const outcome *all)
             evaluations += (double)at(all, r, i / ANGLES, i % ANGLES)->result.evaluations;
         html_row_begin(report->page, NULL);
         html_cell_code(report->page, sg_route_at(r)->id);
-        html_cell(report->page, sg_route_at(r)->title);
+        html_cell_wrap(report->page, sg_route_at(r)->title);
         if (worst > failed) {
             const outcome *o = at(all, r, where / ANGLES, where % ANGLES);
             html_cell_number(report->page, sharpness[where / ANGLES], 1);
             html_cell_number(report->page, angle[where % ANGLES], 3);
             html_cell_marked(report->page, worst, 2, "bad", NULL);
-            html_cell_number(report->page, o->result.claimed_error / fabs(o->result.value), 1);
+            html_cell_number(report->page, claimed(o), 1);
         } else
             for (int i = 0; i < 4; i++)
                 html_cell(report->page, i ? "" : "nowhere here");
         html_cell_number(report->page, evaluations / (SHARPNESSES * ANGLES), 3);
         html_row_end(report->page);
     }
+    html_table_end(report->page, "data/routes.csv");
+}
+
+/* The points at which the routes fail in ways of their own. */
+static void write_points(report *report, const outcome *all)
+{
+    static const size_t points[][2] = {{4, 5}, {4, 7}, {6, 4}, {8, 2}}; /* (1e2, 2.2) ... */
+    static const char *const columns[] = {"route",           "#λ",       "#β", "#value", "#truth",
+                                          "#relative error", "#claimed", NULL};
+    html_table_begin(
+        report->page,
+        "The same at four points: behind the horizon at middling sharpness, and at "
+        "two sharp peaks that fall between nodes. A claim of 0 beside an error of 1 is "
+        "a peak that was never seen.",
+        columns);
+    for (size_t p = 0; p < sizeof points / sizeof *points; p++)
+        for (size_t r = 0; r < sg_route_count(); r++) {
+            const outcome *o = at(all, r, points[p][0], points[p][1]);
+            double error = relative(o);
+            html_row_begin(report->page, r ? NULL : "group");
+            html_cell_code(report->page, sg_route_at(r)->id);
+            html_cell_number(report->page, sharpness[points[p][0]], 1);
+            html_cell_number(report->page, angle[points[p][1]], 3);
+            html_cell_number(report->page, o->result.value, 4);
+            html_cell_number(report->page, o->truth, 4);
+            html_cell_marked(report->page, error, 2, error > failed ? "bad" : "good", NULL);
+            html_cell_number(report->page, claimed(o), 1);
+            html_row_end(report->page);
+        }
     html_table_end(report->page, "data/routes.csv");
 }
 
@@ -167,6 +200,7 @@ bool report_routes(report *report)
     write_csv(report, all);
     write_overview(report, all);
     write_failures(report, all);
+    write_points(report, all);
     free(all);
     return true;
 }
