@@ -129,33 +129,41 @@ float sg_L_from_A_h(float A_h, float lambda, float cos_theta)
     return area == 0.0 ? max(cos_theta, 0.0) : A_h / area;
 }
 
+// sg_erf_over: erf(x)/x for |x| <= 1. Powers of 2x^2 - 1 (tables/erf_coefficients.c made them:
+// Chebyshev interpolation of degree 6, relative error 1.3e-9).
+float sg_erf_over(float x)
+{
+    float q = 2.0 * x * x - 1.0;
+    return 0.96546873867 + q * (-0.140536097278 + q * (0.0198524971409
+        + q * (-0.00228541954487 + q * (0.000217513541656
+        + q * (-1.76690680261e-05 + q * 1.23060547857e-06)))));
+}
+
 // sg_erfc: the complementary error function; 0 at infinity, 2 at minus infinity. e^(-x^2) times a
-// function that varies little: by powers of y = 1 - 5/(x + 2.5) (tables/erf_coefficients.c made
-// them: Chebyshev interpolation of degree 10, relative error 8.6e-9). In float the rounding of x^2
-// adds x^2 6e-8 to the relative error of the tail.
+// function that varies little, by powers of y = 1 - 5/(x + 2.5) (tables/erf_coefficients.c made
+// them: Chebyshev interpolation of degree 10, relative error 8.6e-9); near 0, where that would
+// round by more, 1 - erf. In float the rounding of x^2 adds x^2 6e-8 to the relative error of the
+// tail.
 float sg_erfc(float x)
 {
     float size = abs(x);
     float r = 1.0 / (size + 2.5);
     float y = 1.0 - 5.0 * r;
-    float scaled = 1.05403182031 + y * (-0.804651934117 + y * (0.453914249745 + y * (-0.171249418642
-        + y * (0.0283588671095 + y * (0.0083828882153 + y * (-0.00480345510817 + y * (-0.000413603799662
-        + y * (0.000666220795278 + y * (2.68655916139e-05 + y * (-7.29214562721e-05))))))))));
+    float scaled = 1.05403182031 + y * (-0.804651934117 + y * (0.453914249745
+        + y * (-0.171249418642 + y * (0.0283588671095 + y * (0.0083828882153
+        + y * (-0.00480345510817 + y * (-0.000413603799662 + y * (0.000666220795278
+        + y * (2.68655916139e-05 + y * (-7.29214562721e-05))))))))));
     float tail = exp(-x * x) * r * scaled;
-    return x < 0.0 ? 2.0 - tail : tail;
+    float outer = x < 0.0 ? 2.0 - tail : tail;
+    return size < 0.75 ? 1.0 - x * sg_erf_over(x) : outer;
 }
 
-// sg_erf: the error function. Up to 1 by powers of 2x^2 - 1 (tables/erf_coefficients.c made them:
-// Chebyshev interpolation of degree 6, relative error 1.3e-9), which keeps the relative error next
-// to 0; beyond 1 the complement.
+// sg_erf: the error function. Up to 1 as x times a polynomial, which keeps the relative error next
+// to 0; beyond 1 the complement. In float within 8e-8.
 float sg_erf(float x)
 {
-    float size = abs(x);
-    float q = 2.0 * x * x - 1.0;
-    float inner = 0.96546873867 + q * (-0.140536097278 + q * (0.0198524971409 + q * (-0.00228541954487
-        + q * (0.000217513541656 + q * (-1.76690680261e-05 + q * 1.23060547857e-06)))));
-    float outer = 1.0 - sg_erfc(size);
-    return size < 1.0 ? x * inner : x < 0.0 ? -outer : outer;
+    float outer = 1.0 - sg_erfc(abs(x));
+    return abs(x) < 1.0 ? x * sg_erf_over(x) : x < 0.0 ? -outer : outer;
 }
 
 // sg_erf_step: (erf(x + h/2) - erf(x - h/2))/h for a small step h, without the difference. The
@@ -535,7 +543,7 @@ float sg_A_h_constant_cosine_stable(float lambda, float cos_theta)
 // sg_integral(lambda).
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max inf at lambda 92.24, beta 0 (cos_theta 1); RMSE inf
+//   float   not finite, first at lambda 92.24, beta 0
 //   double  max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
 // Form meder_logistic: between the poles by clamped and normalised cosine, weighted by a logistic

@@ -25,7 +25,7 @@ bool costs_read(method_list *list, const char *path)
             buffer text = {0};
             if (method->cost)
                 buffer_print(&text, "%s; ", method->cost);
-            buffer_print(&text, "%s %s GPU instructions", csv.fields[quantity],
+            buffer_print(&text, "%s %s instructions", csv.fields[quantity],
                          csv.fields[instructions]);
             if (throughput >= 0)
                 buffer_print(&text, ", inverse throughput %s", csv.fields[throughput]);

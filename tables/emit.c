@@ -8,12 +8,15 @@
 #include "base/file.h"
 #include "base/options.h"
 #include "base/text.h"
+#include "curves.h"
+#include "lut.h"
 #include "tables.h"
 
 typedef struct sources {
     form_list forms;
     method_list methods;
     char *lobe_path, *lobe;
+    char *table_path, *table;
     const method *irradiance; /* that sg_irradiance uses where all methods are written */
 } sources;
 
@@ -36,11 +39,13 @@ static bool read_sources(sources *from, const char *root, const char *tables)
 {
     char *forms = base_join(root, "shaders/forms"), *constants = base_join(tables, "constants");
     char *cost = base_join(tables, "cost.csv");
-    *from = (sources){.lobe_path = base_join(forms, "lobe.glsl")};
+    *from = (sources){.lobe_path = base_join(forms, "lobe.glsl"),
+                      .table_path = base_join(forms, "table.glsl")};
     bool good = forms_read(&from->forms, forms) &&
                 constants_read(&from->methods, constants, &from->forms) &&
                 costs_read(&from->methods, cost) &&
-                (from->lobe = base_read_file(from->lobe_path, NULL)) && find_irradiance(from);
+                (from->lobe = base_read_file(from->lobe_path, NULL)) &&
+                (from->table = base_read_file(from->table_path, NULL)) && find_irradiance(from);
     free(forms);
     free(constants);
     free(cost);
@@ -53,6 +58,8 @@ static void free_sources(sources *from)
     forms_free(&from->forms);
     free(from->lobe_path);
     free(from->lobe);
+    free(from->table_path);
+    free(from->table);
 }
 
 /* Writes folder/name and empties the text. */
@@ -75,28 +82,48 @@ static bool write_shader(const sources *from, const char *path, const method *on
     return good;
 }
 
+/* What follows from the forms and constants alone. */
+static bool write_texts(const sources *from, const char *out, const char *shaders)
+{
+    buffer text = {0};
+    emit_forms_inc(&text, &from->forms);
+    bool good = write_out(&text, out, "forms.inc");
+    emit_methods_inc(&text, &from->methods);
+    good = write_out(&text, out, "methods.inc") && good;
+    emit_registry_inc(&text, &from->forms, &from->methods);
+    good = write_out(&text, out, "registry.inc") && good;
+    char *shader = base_join(shaders, "sg.glsl");
+    good = write_shader(from, shader, NULL) && good;
+    free(shader);
+    if (emit_table_glsl(&text, &from->forms, from->table_path, from->table))
+        return write_out(&text, shaders, "sg_table.glsl") && good;
+    buffer_free(&text);
+    return false;
+}
+
+/* What follows from the integral. */
+static bool write_tables(const char *out)
+{
+    buffer text = {0};
+    lut made;
+    curves_c_s(&text);
+    bool good = write_out(&text, out, "curves_c_s.csv");
+    good = curves_t_u(&text) && write_out(&text, out, "curves_t_u.csv") && good;
+    buffer_free(&text);
+    good = lut_make(&made) && write_out(&made.float_exr, out, "tail_32_float.exr") &&
+           write_out(&made.half_exr, out, "tail_32_half.exr") &&
+           write_out(&made.readme, out, "README.md") && good;
+    lut_free(&made);
+    return good;
+}
+
 static bool write_all(const sources *from, const char *root)
 {
     char *out = base_join(root, "tables/out"), *shaders = base_join(root, "shaders");
-    char *shader = base_join(shaders, "sg.glsl");
-    buffer text = {0};
-    bool good = base_make_directory(out) && base_make_directory(shaders);
-    if (good) {
-        emit_forms_inc(&text, &from->forms);
-        good = write_out(&text, out, "forms.inc");
-    }
-    if (good) {
-        emit_methods_inc(&text, &from->methods);
-        good = write_out(&text, out, "methods.inc");
-    }
-    if (good) {
-        emit_registry_inc(&text, &from->forms, &from->methods);
-        good = write_out(&text, out, "registry.inc");
-    }
-    good = good && write_shader(from, shader, NULL);
+    bool good = base_make_directory(out) && base_make_directory(shaders) &&
+                write_texts(from, out, shaders) && write_tables(out);
     free(out);
     free(shaders);
-    free(shader);
     return good;
 }
 
@@ -105,8 +132,9 @@ static int emit(int argc, char **argv)
     const char *out = NULL, *id = NULL, *root = NULL, *tables = NULL, *all_to = NULL;
     const base_usage usage = {
         "emit", "[options]",
-        "Writes what is generated from tables/constants, tables/cost.csv and shaders/forms: the C "
-        "instances tables/out/*.inc and the shader include shaders/sg.glsl. Without --out all of "
+        "Writes what is generated from tables/constants, tables/cost.csv and shaders/forms (the C "
+        "instances tables/out/*.inc and the shader includes shaders/sg.glsl and sg_table.glsl) and "
+        "from the integral (the curves and the look-up table in tables/out). Without --out all of "
         "them, into the source tree or into the folder given by --all-to, laid out alike."};
     const base_option options[] = {
         {"out", BASE_STRING, &out, "FILE", "write the shader include alone, to FILE", NULL},

@@ -15,7 +15,19 @@ void emit_registry_inc(buffer *out, const form_list *forms, const method_list *m
 bool emit_glsl(buffer *out, const form_list *forms, const method_list *methods, const method *only,
                const char *lobe_path, const char *lobe, const method *irradiance);
 
-/* The comment above a method in GLSL. */
-void emit_method_comment(buffer *out, const method *method);
+/* shaders/sg_table.glsl, from the text of shaders/forms/table.glsl. It has copies of its own of
+ * the helpers that it needs, named sg_table_, and can be included with sg.glsl or without. */
+bool emit_table_glsl(buffer *out, const form_list *forms, const char *path, const char *text);
+
+/* One function of a form or helper as GLSL, named `name`; helpers in it are named prefix plus what
+ * follows "sg_" in their own name. */
+void glsl_function(buffer *out, const form *text, const char *name, const double *coefficients,
+                   const char *prefix);
+
+/* The comments in GLSL: above a helper, which is named as glsl_function says; above a method's
+ * native function and above the other. */
+void comment_helper(buffer *out, const form *helper, const char *prefix);
+void comment_method(buffer *out, const method *method);
+void comment_other(buffer *out, const method *method);
 
 #endif

@@ -1,80 +1,9 @@
 /* emit_glsl.c: forms, methods and lobe operations as one GLSL include. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "emit.h"
-
-static void number(buffer *out, double value)
-{
-    char text[BASE_NUMBER_SIZE];
-    base_shortest_f64(value, text);
-    buffer_print(out, "%s%s", text, strpbrk(text, ".e") ? "" : ".0");
-}
-
-/* K(1.5) from its opening parenthesis on: 1.5. A sign goes into parentheses where another operator
- * may stand before it: a - K(-1.5). Returns the closing parenthesis. */
-static const token *literal(buffer *out, const token *at)
-{
-    size_t last = out->length;
-    while (last > 0 && out->text[last - 1] == ' ')
-        last--;
-    bool bare = last > 0 && strchr("(,=?:", out->text[last - 1]), negative = false;
-    for (; !token_is(at, ")"); at++) {
-        if (token_is(at, "-")) {
-            negative = true;
-            buffer_add(out, bare ? "-" : "(-");
-        } else if (at->kind == TOKEN_NUMBER) {
-            buffer_add_n(out, at->start, at->length);
-        }
-    }
-    if (negative && !bare)
-        buffer_add(out, ")");
-    return at;
-}
-
-/* The function of a text as GLSL: `name` instead of sg_form, the coefficients as local constants.
- */
-static void function(buffer *out, const form *text, const char *name, const double *coefficients)
-{
-    bool opened = false;
-    for (const token *at = text->tokens; at->kind != TOKEN_END; at++) {
-        if (at->role == ROLE_REAL)
-            buffer_add(out, "float");
-        else if (at->role == ROLE_SELF)
-            buffer_add(out, name);
-        else if (at->role == ROLE_LITERAL)
-            at = literal(out, at);
-        else
-            buffer_add_n(out, at->start, at->length);
-        if (opened || !token_is(at, "{"))
-            continue;
-        opened = true;
-        if (text->uses_pi)
-            buffer_add(out, "\n    const float sg_pi = 3.14159265358979;");
-        for (size_t i = 0; i < text->coefficient_count; i++) {
-            buffer_print(out, "\n    const float %s = ", text->coefficients[i]);
-            number(out, coefficients[i]);
-            buffer_add(out, ";");
-        }
-    }
-}
-
-static void helper_comment(buffer *out, const form *helper)
-{
-    buffer line = {0};
-    buffer_print(&line, "%s: %s", helper->id, helper->about);
-    buffer_wrap(out, "\n// ", "// ", line.text, 100);
-    buffer_free(&line);
-    for (const char *note = helper->notes; *note;) {
-        size_t length = strcspn(note, "\n");
-        buffer_print(out, "//%s%.*s\n", length ? " " : "", (int)length, note);
-        note += length + 1;
-    }
-    if (helper->source)
-        buffer_wrap(out, "// Source: ", "//   ", helper->source, 100);
-}
 
 static bool computes_L(const method *method)
 {
@@ -87,16 +16,18 @@ static void method_functions(buffer *out, const method *method)
     buffer name = {0};
     buffer_print(&name, "sg_%s_%s", L ? "L" : "A_h", method->id);
     buffer_add(out, "\n");
-    emit_method_comment(out, method);
-    function(out, method->form, name.text, method->coefficients);
+    comment_method(out, method);
+    glsl_function(out, method->form, name.text, method->coefficients, "sg_");
+    buffer_add(out, "\n");
+    comment_other(out, method);
     if (L)
         buffer_print(out,
-                     "\nfloat sg_A_h_%s(float lambda, float cos_theta)\n{\n"
+                     "float sg_A_h_%s(float lambda, float cos_theta)\n{\n"
                      "    return sg_A_h_from_L(%s(lambda, cos_theta), lambda);\n}\n",
                      method->id, name.text);
     else
         buffer_print(out,
-                     "\nfloat sg_L_%s(float lambda, float cos_theta)\n{\n"
+                     "float sg_L_%s(float lambda, float cos_theta)\n{\n"
                      "    return sg_L_from_A_h(%s(lambda, cos_theta), lambda, cos_theta);\n}\n",
                      method->id, name.text);
     buffer_free(&name);
@@ -117,33 +48,52 @@ static bool mark_method(const form_list *forms, const method *method, bool *need
     return true;
 }
 
-/* The lobe text with its method bound, and the helpers that it calls marked. The comment lines
- * before the first empty line speak to its editors and are left out. */
-static bool lobe_text(buffer *out, const form_list *forms, const char *path, const char *text,
-                      const method *method, bool *needed)
+/* Plain GLSL with its method bound, helpers named by the prefix, those that it calls marked. The
+ * comment lines before the first empty line speak to its editors and are left out. */
+static bool plain_text(buffer *out, const form_list *forms, const char *path, const char *text,
+                       const method *method, const char *prefix, bool *needed)
 {
     static const char mark[] = "@METHOD@";
-    token *tokens;
+    buffer bound = {0};
+    token *tokens = NULL;
     size_t count;
     while (strncmp(text, "//", 2) == 0) {
         text += strcspn(text, "\n");
         text += *text == '\n';
     }
-    for (const char *next; (next = strstr(text, mark)); text = next + strlen(mark)) {
-        buffer_add_n(out, text, (size_t)(next - text));
-        buffer_add(out, method->id);
+    for (const char *next; method && (next = strstr(text, mark)); text = next + strlen(mark)) {
+        buffer_add_n(&bound, text, (size_t)(next - text));
+        buffer_add(&bound, method->id);
     }
-    buffer_add(out, text);
-    bool good = form_tokens(path, out->text, 1, &tokens, &count);
+    buffer_add(&bound, text);
+    bool good = form_tokens(path, bound.text, 1, &tokens, &count);
     for (size_t i = 0; good && i < count; i++) {
-        size_t helper = forms_helper(forms, tokens[i].start, tokens[i].length);
-        if (tokens[i].kind == TOKEN_NAME && helper < forms->helper_count) {
-            needed[helper] = true;
-            forms_mark(forms, &forms->helpers[helper], needed);
+        const token *at = &tokens[i];
+        size_t helper = at->kind == TOKEN_NAME ? forms_helper(forms, at->start, at->length)
+                                               : forms->helper_count;
+        if (helper == forms->helper_count) {
+            buffer_add_n(out, at->start, at->length);
+            continue;
         }
+        buffer_print(out, "%s%.*s", prefix, (int)at->length - 3, at->start + 3);
+        needed[helper] = true;
+        forms_mark(forms, &forms->helpers[helper], needed);
     }
     free(tokens);
+    buffer_free(&bound);
     return good;
+}
+
+static void write_helpers(buffer *out, const form_list *forms, const bool *needed,
+                          const char *prefix)
+{
+    for (size_t i = 0; i < forms->helper_count; i++) {
+        if (!needed[i])
+            continue;
+        buffer_add(out, "\n");
+        comment_helper(out, &forms->helpers[i], prefix);
+        glsl_function(out, &forms->helpers[i], NULL, NULL, prefix);
+    }
 }
 
 static void introduction(buffer *out, const method_list *methods, const method *only,
@@ -191,19 +141,14 @@ bool emit_glsl(buffer *out, const form_list *forms, const method_list *methods, 
     bool *needed = tables_allocate(forms->helper_count + 1);
     memset(needed, 0, forms->helper_count + 1);
     buffer wrappers = {0};
-    bool good = lobe_text(&wrappers, forms, lobe_path, lobe, irradiance, needed);
+    bool good = plain_text(&wrappers, forms, lobe_path, lobe, irradiance, "sg_", needed);
     for (size_t i = 0; good && i < methods->count; i++) {
         if (!only || only == &methods->methods[i])
             good = mark_method(forms, &methods->methods[i], needed);
     }
     if (good) {
         introduction(out, methods, only, irradiance);
-        for (size_t i = 0; i < forms->helper_count; i++) {
-            if (needed[i]) {
-                helper_comment(out, &forms->helpers[i]);
-                function(out, &forms->helpers[i], NULL, NULL);
-            }
-        }
+        write_helpers(out, forms, needed, "sg_");
         for (size_t i = 0; i < methods->count; i++) {
             if (!only || only == &methods->methods[i])
                 method_functions(out, &methods->methods[i]);
@@ -212,6 +157,39 @@ bool emit_glsl(buffer *out, const form_list *forms, const method_list *methods, 
         buffer_add(out, "\n#endif\n");
     }
     buffer_free(&wrappers);
+    free(needed);
+    return good;
+}
+
+bool emit_table_glsl(buffer *out, const form_list *forms, const char *path, const char *text)
+{
+    bool *needed = tables_allocate(forms->helper_count + 1);
+    memset(needed, 0, forms->helper_count + 1);
+    buffer body = {0};
+    bool good = plain_text(&body, forms, path, text, NULL, "sg_table_", needed);
+    if (good) {
+        buffer_add(
+            out,
+            "// sg_table.glsl: the clamped-cosine integral of a spherical Gaussian from a "
+            "look-up table.\n"
+            "// Written by `sgfit emit`; do not edit.\n"
+            "//\n"
+            "// To integrate: include this file after #version (450, 330, 300 es or later), "
+            "with sg.glsl or\n"
+            "// without, and pass a sampler of tables/out/tail_32_half.exr or "
+            "tail_32_float.exr as a\n"
+            "// one-channel texture: 32 x 32, row 0 first, linear filter, clamped to edge, no "
+            "mipmap. In GLSL\n"
+            "// ES write `precision highp float;` before it; linear filtering of a float texture "
+            "needs\n"
+            "// OES_texture_float_linear there, of a half one nothing. tables/out/README.md states "
+            "the errors.\n"
+            "#ifndef SG_TABLE_GLSL\n#define SG_TABLE_GLSL\n");
+        write_helpers(out, forms, needed, "sg_table_");
+        buffer_add(out, body.text);
+        buffer_add(out, "\n#endif\n");
+    }
+    buffer_free(&body);
     free(needed);
     return good;
 }

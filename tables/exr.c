@@ -1,0 +1,149 @@
+/* exr.c: OpenEXR through its C core. The core writes into memory, so that files appear whole. */
+#include "exr.h"
+
+#include <openexr.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+
+/* The core's own messages would be further lines on standard error. */
+static void silent(exr_const_context_t context, exr_result_t code, const char *message)
+{
+    (void)context;
+    (void)code;
+    (void)message;
+}
+
+static int64_t into_buffer(exr_const_context_t context, void *user, const void *bytes,
+                           uint64_t size, uint64_t offset, exr_stream_error_func_ptr_t error)
+{
+    (void)context;
+    (void)error;
+    buffer *out = user;
+    while (out->length < offset + size)
+        buffer_add_n(out, "\0\0\0\0\0\0\0", 1);
+    memcpy(out->text + offset, bytes, size);
+    return (int64_t)size;
+}
+
+static exr_result_t write_rows(exr_context_t file, const float *pixels, int width, int height)
+{
+    exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
+    exr_result_t status = EXR_ERR_SUCCESS;
+    for (int y = 0; status == EXR_ERR_SUCCESS && y < height; y++) {
+        exr_chunk_info_t chunk;
+        status = exr_write_scanline_chunk_info(file, 0, y, &chunk);
+        if (status == EXR_ERR_SUCCESS)
+            status = y == 0 ? exr_encoding_initialize(file, 0, &chunk, &pipeline)
+                            : exr_encoding_update(file, 0, &chunk, &pipeline);
+        if (status != EXR_ERR_SUCCESS)
+            break;
+        exr_coding_channel_info_t *channel = pipeline.channels;
+        channel->user_bytes_per_element = 4;
+        channel->user_data_type = EXR_PIXEL_FLOAT;
+        channel->user_pixel_stride = 4;
+        channel->user_line_stride = 4 * width;
+        channel->encode_from_ptr = (const uint8_t *)(pixels + (size_t)y * (size_t)width);
+        if (y == 0)
+            status = exr_encoding_choose_default_routines(file, 0, &pipeline);
+        if (status == EXR_ERR_SUCCESS)
+            status = exr_encoding_run(file, 0, &pipeline);
+    }
+    exr_encoding_destroy(file, &pipeline);
+    return status;
+}
+
+bool exr_encode(buffer *out, const float *pixels, int width, int height, bool half,
+                const exr_text *attributes, size_t attribute_count)
+{
+    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    setup.error_handler_fn = silent;
+    setup.user_data = out;
+    setup.write_fn = into_buffer;
+    exr_context_t file = NULL;
+    int part = 0;
+    exr_result_t status = exr_start_write(&file, "memory", EXR_WRITE_FILE_DIRECTLY, &setup);
+    if (status == EXR_ERR_SUCCESS)
+        status = exr_add_part(file, NULL, EXR_STORAGE_SCANLINE, &part);
+    if (status == EXR_ERR_SUCCESS)
+        status =
+            exr_initialize_required_attr_simple(file, part, width, height, EXR_COMPRESSION_NONE);
+    if (status == EXR_ERR_SUCCESS)
+        status = exr_add_channel(file, part, "Y", half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                                 EXR_PERCEPTUALLY_LINEAR, 1, 1);
+    for (size_t i = 0; status == EXR_ERR_SUCCESS && i < attribute_count; i++)
+        status = exr_attr_set_string(file, part, attributes[i].name, attributes[i].value);
+    if (status == EXR_ERR_SUCCESS)
+        status = exr_write_header(file);
+    if (status == EXR_ERR_SUCCESS)
+        status = write_rows(file, pixels, width, height);
+    exr_result_t finished = file ? exr_finish(&file) : EXR_ERR_SUCCESS;
+    if (status == EXR_ERR_SUCCESS)
+        status = finished;
+    if (status != EXR_ERR_SUCCESS)
+        base_error("cannot encode EXR: %s", exr_get_default_error_message(status));
+    return status == EXR_ERR_SUCCESS;
+}
+
+static exr_result_t read_rows(exr_context_t file, float *pixels, int width, int height, int top)
+{
+    exr_decode_pipeline_t pipeline = EXR_DECODE_PIPELINE_INITIALIZER;
+    exr_result_t status = EXR_ERR_SUCCESS;
+    int32_t lines = 1;
+    status = exr_get_scanlines_per_chunk(file, 0, &lines);
+    for (int y = 0; status == EXR_ERR_SUCCESS && y < height; y += lines) {
+        exr_chunk_info_t chunk;
+        status = exr_read_scanline_chunk_info(file, 0, top + y, &chunk);
+        if (status == EXR_ERR_SUCCESS)
+            status = y == 0 ? exr_decoding_initialize(file, 0, &chunk, &pipeline)
+                            : exr_decoding_update(file, 0, &chunk, &pipeline);
+        if (status == EXR_ERR_SUCCESS && pipeline.channel_count != 1)
+            status = EXR_ERR_INVALID_ARGUMENT;
+        if (status != EXR_ERR_SUCCESS)
+            break;
+        exr_coding_channel_info_t *channel = pipeline.channels;
+        channel->user_bytes_per_element = 4;
+        channel->user_data_type = EXR_PIXEL_FLOAT;
+        channel->user_pixel_stride = 4;
+        channel->user_line_stride = 4 * width;
+        channel->decode_to_ptr = (uint8_t *)(pixels + (size_t)y * (size_t)width);
+        if (y == 0)
+            status = exr_decoding_choose_default_routines(file, 0, &pipeline);
+        if (status == EXR_ERR_SUCCESS)
+            status = exr_decoding_run(file, 0, &pipeline);
+    }
+    exr_decoding_destroy(file, &pipeline);
+    return status;
+}
+
+float *exr_read(const char *path, int *width, int *height)
+{
+    enum { LARGEST = 1 << 14 };
+    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    setup.error_handler_fn = silent;
+    exr_context_t file = NULL;
+    exr_attr_box2i_t window;
+    float *pixels = NULL;
+    exr_result_t status = exr_start_read(&file, path, &setup);
+    if (status == EXR_ERR_SUCCESS)
+        status = exr_get_data_window(file, 0, &window);
+    if (status == EXR_ERR_SUCCESS) {
+        *width = window.max.x - window.min.x + 1;
+        *height = window.max.y - window.min.y + 1;
+        if (*width < 1 || *height < 1 || *width > LARGEST || *height > LARGEST)
+            status = EXR_ERR_INVALID_ATTR;
+    }
+    if (status == EXR_ERR_SUCCESS) {
+        pixels = tables_allocate((size_t)*width * (size_t)*height * sizeof *pixels);
+        status = read_rows(file, pixels, *width, *height, window.min.y);
+    }
+    exr_finish(&file);
+    if (status != EXR_ERR_SUCCESS) {
+        base_error("%s: expected an EXR image of one channel: %s", path,
+                   exr_get_default_error_message(status));
+        free(pixels);
+        pixels = NULL;
+    }
+    return pixels;
+}
