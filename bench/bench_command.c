@@ -2,6 +2,7 @@
 #include "bench_command.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/file.h"
 #include "base/options.h"
@@ -21,6 +22,14 @@ static int write_all(const cost_table *table, const char *out, const char *count
         free(json);
     }
     return good ? BASE_DONE : BASE_FAILED;
+}
+
+static bool is_subject(const char *id)
+{
+    for (size_t i = 0; i < cost_table_count(); i++)
+        if (strcmp(cost_table_id(i), id) == 0)
+            return true;
+    return sg_method_find(id) != NULL;
 }
 
 int bench_command(int argc, char **argv)
@@ -50,8 +59,10 @@ int bench_command(int argc, char **argv)
         base_error("bench: expected --out DIR or --counts FILE");
         return BASE_USAGE;
     }
-    if (only && !sg_method_find(only)) {
-        base_error("bench: expected --method to name a method (see sgfit methods), found %s", only);
+    if (only && !is_subject(only)) {
+        base_error("bench: expected --method to name a method (see sgfit methods) or a table "
+                   "(table_2d, table_2d_pair, table_1d), found %s",
+                   only);
         return BASE_USAGE;
     }
     if (out && !base_make_directory(out))

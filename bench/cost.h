@@ -16,6 +16,7 @@
 
 typedef struct cost_texture {
     uint32_t width, height; /* height 0: one-dimensional */
+    int channels;
     bool half;
     float *texels;
 } cost_texture;
@@ -40,6 +41,12 @@ bool cost_subjects_read(cost_subjects *subjects, const char *only);
 /* cost_peers.c: puts the helpers of bench/peers in the place of ours, in a text as emitted. */
 bool cost_as_shipped(char **glsl);
 void cost_subjects_free(cost_subjects *subjects);
+/* cost_tables.c: the look-up tables among the subjects; forms: for the helpers that they need. */
+struct form_list;
+size_t cost_table_count(void);
+const char *cost_table_id(size_t index);
+bool cost_table_subject(size_t index, const struct form_list *forms, sg_quantity quantity,
+                        cost_subject *subject);
 const char *cost_quantity_name(sg_quantity quantity); /* "L", "A_h" */
 
 /* ---- cost_gpu.c: instructions ------------------------------------------------------------------
@@ -117,6 +124,9 @@ const char *cost_device_driver(const cost_device *device); /* "llvmpipe Mesa 22.
 /* Time of a shader of eight evaluations an invocation over that of the same shader with an addition
  * in place of the evaluation: the median of the ratios of runs made in turn. False after one line
  * on standard error. */
+/* Values of the subject's own text at n points, given as lambda and cos_theta by turns. */
+bool cost_device_values(cost_device *device, const cost_subject *subject, size_t n,
+                        const float *pairs, float *values);
 bool cost_device_run(cost_device *device, const cost_subject *subject, int samples, double *ratio);
 
 /* ---- All of it ---------------------------------------------------------------------------------

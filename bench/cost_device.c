@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/text.h"
 
@@ -21,9 +22,10 @@ struct cost_device {
     char driver[600];
 };
 
-static bool create(cost_device *device, const char *name, const char *glsl, gpu_compute **compute)
+static bool create(cost_device *device, const char *name, const char *glsl, gpu_wrapper wrapper,
+                   gpu_compute **compute)
 {
-    char *text = gpu_wrap(GPU_EIGHT, glsl);
+    char *text = gpu_wrap(wrapper, glsl);
     if (!text)
         return false;
     gpu_compute_options options = {
@@ -46,7 +48,7 @@ static bool prepare(cost_device *device, const char *name, const cost_points *po
     const size_t pairs = (size_t)INVOCATIONS * EVALUATIONS;
     if (gpu_buffer_create(device->gpu, pairs * 2 * sizeof(float), &device->in) != GPU_OK ||
         gpu_buffer_create(device->gpu, INVOCATIONS * sizeof(float), &device->out) != GPU_OK ||
-        gpu_texture_create(device->gpu, &(gpu_texture_options){1, 1, false, &one},
+        gpu_texture_create(device->gpu, &(gpu_texture_options){1, 1, 1, false, &one},
                            &device->blank) != GPU_OK)
         return false;
     float *in = gpu_buffer_map(device->in);
@@ -54,7 +56,7 @@ static bool prepare(cost_device *device, const char *name, const cost_points *po
         in[2 * i] = points->lambda_f32[i % COST_POINTS];
         in[2 * i + 1] = points->cos_theta_f32[i % COST_POINTS];
     }
-    return create(device, "empty", gpu_empty_function, &device->empty);
+    return create(device, "empty", gpu_empty_function, GPU_EIGHT, &device->empty);
 }
 
 cost_device *cost_device_open(const char *name, const cost_points *points, char reason[256])
@@ -129,20 +131,54 @@ static bool compare(cost_device *device, gpu_compute *compute, gpu_texture *text
     return true;
 }
 
+/* The subject's shader and its texture, or the blank one. */
+static bool load(cost_device *device, const cost_subject *subject, gpu_wrapper wrapper,
+                 gpu_compute **compute, gpu_texture **texture)
+{
+    const cost_texture *from = &subject->texture;
+    gpu_texture_options options = {from->width, from->height, from->channels, from->half,
+                                   from->texels};
+    *texture = NULL;
+    return create(device, subject->id, subject->glsl, wrapper, compute) &&
+           (!from->texels || gpu_texture_create(device->gpu, &options, texture) == GPU_OK);
+}
+
 bool cost_device_run(cost_device *device, const cost_subject *subject, int samples, double *ratio)
 {
     gpu_compute *compute = NULL;
     gpu_texture *texture = NULL;
-    const cost_texture *from = &subject->texture;
-    bool good = create(device, subject->id, subject->glsl, &compute);
-    if (good && from->texels)
-        good = gpu_texture_create(
-                   device->gpu,
-                   &(gpu_texture_options){from->width, from->height, from->half, from->texels},
-                   &texture) == GPU_OK;
-    good = good && compare(device, compute, texture ? texture : device->blank, samples, ratio);
+    bool good = load(device, subject, GPU_EIGHT, &compute, &texture) &&
+                compare(device, compute, texture ? texture : device->blank, samples, ratio);
     if (!good)
         base_error("%s", gpu_last_error());
+    gpu_texture_destroy(texture);
+    gpu_compute_destroy(compute);
+    return good;
+}
+
+bool cost_device_values(cost_device *device, const cost_subject *subject, size_t n,
+                        const float *pairs, float *values)
+{
+    gpu_compute *compute = NULL;
+    gpu_texture *texture = NULL;
+    gpu_buffer *in = NULL, *out = NULL;
+    size_t groups = (n + GROUP - 1) / GROUP, capacity = groups * GROUP * sizeof(float);
+    bool good = load(device, subject, GPU_ONE, &compute, &texture) &&
+                gpu_buffer_create(device->gpu, 2 * capacity, &in) == GPU_OK &&
+                gpu_buffer_create(device->gpu, capacity, &out) == GPU_OK;
+    if (good) {
+        gpu_texture *bound = texture ? texture : device->blank;
+        memcpy(gpu_buffer_map(in), pairs, 2 * n * sizeof *pairs);
+        gpu_dispatch dispatch = {
+            .compute = compute, .resources = {in, out, bound, bound}, .groups = {(uint32_t)groups}};
+        good = gpu_dispatch_run(device->gpu, &dispatch) == GPU_OK;
+    }
+    if (good)
+        memcpy(values, gpu_buffer_map(out), n * sizeof *values);
+    else
+        base_error("%s", gpu_last_error());
+    gpu_buffer_destroy(in);
+    gpu_buffer_destroy(out);
     gpu_texture_destroy(texture);
     gpu_compute_destroy(compute);
     return good;
@@ -172,6 +208,17 @@ const char *cost_device_driver(const cost_device *device)
 {
     (void)device;
     return "";
+}
+
+bool cost_device_values(cost_device *device, const cost_subject *subject, size_t n,
+                        const float *pairs, float *values)
+{
+    (void)device;
+    (void)n;
+    (void)pairs;
+    (void)values;
+    base_error("%s: built without Vulkan and shaderc", subject->id);
+    return false;
 }
 
 bool cost_device_run(cost_device *device, const cost_subject *subject, int samples, double *ratio)

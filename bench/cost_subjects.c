@@ -64,6 +64,22 @@ static bool add_methods(cost_subjects *subjects, const form_list *forms, const m
     return true;
 }
 
+static bool add_tables(cost_subjects *subjects, const form_list *forms, const char *only)
+{
+    static const sg_quantity quantities[] = {SG_L, SG_A_H};
+    for (size_t i = 0; i < cost_table_count(); i++) {
+        if (only && strcmp(only, cost_table_id(i)) != 0)
+            continue;
+        for (int j = 0; j < 2; j++) {
+            cost_subject subject;
+            if (!cost_table_subject(i, forms, quantities[j], &subject))
+                return false;
+            add(subjects, subject);
+        }
+    }
+    return true;
+}
+
 bool cost_subjects_read(cost_subjects *subjects, const char *only)
 {
     *subjects = (cost_subjects){0};
@@ -72,13 +88,13 @@ bool cost_subjects_read(cost_subjects *subjects, const char *only)
     char *form_folder = base_join(base_source_root(), "shaders/forms");
     char *constants = base_join(base_source_root(), "tables/constants");
     bool good = forms_read(&forms, form_folder) && constants_read(&methods, constants, &forms) &&
-                add_methods(subjects, &forms, &methods, only);
+                add_methods(subjects, &forms, &methods, only) && add_tables(subjects, &forms, only);
     free(form_folder);
     free(constants);
     constants_free(&methods);
     forms_free(&forms);
     if (good && subjects->count == 0) {
-        base_error("expected the id of a method (see sgfit methods), found %s", only);
+        base_error("expected the id of a method (see sgfit methods) or of a table, found %s", only);
         good = false;
     }
     if (!good)

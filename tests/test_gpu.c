@@ -128,7 +128,7 @@ static void looks_up_between_texels_and_beyond_edges(void **state)
     const float at[] = {0.5F / 3, 0.25F, 1.0F / 3, 0.25F, 0.5F, 0.5F, -1, -1, 2, 2};
     const float expected[] = {0, 0.5F, 3, 0, 6};
     float values[5];
-    look_up(device, "sampler2D", &(gpu_texture_options){3, 2, false, texels}, 5, at, values);
+    look_up(device, "sampler2D", &(gpu_texture_options){3, 2, 1, false, texels}, 5, at, values);
     for (int i = 0; i < 5; i++)
         assert_true(fabsf(values[i] - expected[i]) < 0.02F); /* 8 bits of filter weight */
     close_clean(device);
@@ -145,9 +145,26 @@ static void looks_up_one_dimension_in_half(void **state)
     float at[16] = {0}, values[8];
     for (int i = 0; i < 8; i++)
         at[2 * i] = ((float)i + 0.5F) / 8;
-    look_up(device, "sampler1D", &(gpu_texture_options){8, 0, true, texels}, 8, at, values);
+    look_up(device, "sampler1D", &(gpu_texture_options){8, 0, 1, true, texels}, 8, at, values);
     for (int i = 0; i < 8; i++)
         assert_true(values[i] == expected[i]);
+    close_clean(device);
+}
+
+static void looks_up_several_channels(void **state)
+{
+    (void)state;
+    gpu_device *device = open_software_device();
+    const float texels[] = {1, 10, 2, 20, 3, 30};
+    const float at[] = {0.5F / 3, 0, 0.5F, 0, 2.5F / 3, 0};
+    float values[3];
+    look_up(device, "sampler1D", &(gpu_texture_options){3, 0, 2, false, texels}, 3, at, values);
+    for (int i = 0; i < 3; i++)
+        assert_true(values[i] == (float)(i + 1));
+    gpu_texture *texture;
+    assert_int_equal(
+        gpu_texture_create(device, &(gpu_texture_options){2, 0, 3, false, texels}, &texture),
+        GPU_UNSUPPORTED);
     close_clean(device);
 }
 
@@ -266,6 +283,7 @@ int main(void)
         cmocka_unit_test(dispatches_with_push_constants_and_repeats),
         cmocka_unit_test(looks_up_between_texels_and_beyond_edges),
         cmocka_unit_test(looks_up_one_dimension_in_half),
+        cmocka_unit_test(looks_up_several_channels),
         cmocka_unit_test(bad_shader_names_its_line),
         cmocka_unit_test(too_much_memory_is_said),
         cmocka_unit_test(validation_catches_a_planted_mistake),

@@ -87,13 +87,14 @@ void gpu_buffer_destroy(gpu_buffer *buffer); /* NULL is fine */
 void *gpu_buffer_map(gpu_buffer *buffer);
 size_t gpu_buffer_size(const gpu_buffer *buffer);
 
-/* One or two dimensions, one float channel, bilinear, clamped to the edge, one level. */
+/* One or two dimensions, float channels, bilinear, clamped to the edge, one level. */
 typedef struct gpu_texture gpu_texture;
 
 typedef struct gpu_texture_options {
     uint32_t width, height; /* height 0: one-dimensional, sampler1D */
-    bool half;              /* R16F: values are rounded to half */
-    const float *texels;    /* width * max(height, 1), row after row */
+    int channels;           /* 1, 2 or 4; 0 counts as 1 */
+    bool half;              /* values are rounded to half */
+    const float *texels;    /* width * max(height, 1) * channels, row after row */
 } gpu_texture_options;
 
 gpu_status gpu_texture_create(gpu_device *device, const gpu_texture_options *options,

@@ -1,4 +1,4 @@
-/* Textures to be looked up in: one float channel, uploaded through a buffer. */
+/* Textures to be looked up in: float channels, uploaded through a buffer. */
 #include "internal.h"
 
 #include <stdlib.h>
@@ -30,10 +30,30 @@ static uint16_t half_from_float(float value)
     return (uint16_t)(sign | half);
 }
 
+static size_t channels_of(const gpu_texture_options *options)
+{
+    return options->channels > 0 ? (size_t)options->channels : 1;
+}
+
+static VkFormat format_of(const gpu_texture_options *options)
+{
+    switch (channels_of(options)) {
+    case 1:
+        return options->half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT;
+    case 2:
+        return options->half ? VK_FORMAT_R16G16_SFLOAT : VK_FORMAT_R32G32_SFLOAT;
+    case 4:
+        return options->half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
+    default:
+        return VK_FORMAT_UNDEFINED;
+    }
+}
+
 static gpu_status fill_staging(gpu_device *device, const gpu_texture_options *options,
                                gpu_buffer **staging)
 {
-    size_t count = (size_t)options->width * (options->height ? options->height : 1);
+    size_t count =
+        (size_t)options->width * (options->height ? options->height : 1) * channels_of(options);
     size_t texel = options->half ? sizeof(uint16_t) : sizeof(float);
     gpu_status status = gpu_buffer_create(device, count * texel, staging);
     if (status != GPU_OK)
@@ -145,6 +165,10 @@ gpu_status gpu_texture_create(gpu_device *device, const gpu_texture_options *opt
                               gpu_texture **out)
 {
     *out = NULL;
+    VkFormat format = format_of(options);
+    if (format == VK_FORMAT_UNDEFINED)
+        return gpu_fail(GPU_UNSUPPORTED, "a texture: expected 1, 2 or 4 channels, got %d",
+                        options->channels);
     gpu_buffer *staging;
     gpu_status status = fill_staging(device, options, &staging);
     if (status != GPU_OK)
@@ -155,7 +179,6 @@ gpu_status gpu_texture_create(gpu_device *device, const gpu_texture_options *opt
         return gpu_fail(GPU_OUT_OF_MEMORY, "a texture: out of host memory");
     }
     texture->owner = device;
-    VkFormat format = options->half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT;
     VkResult result = create_image(texture, options, format);
     if (result == VK_SUCCESS)
         result = create_view(texture, options, format);
