@@ -7,15 +7,17 @@
 // L is written as m max(z, 0) plus the rest, so that L(z) - L(-z) = z m holds exactly.
 real sg_form(real lambda, real cos_theta)
 {
-    real l = min(lambda, K(1e30));
-    real v = K(1.0) / (K(1.0) + l);
+    real z = clamp(cos_theta, K(-1.0), K(1.0));
+    real size = abs(z);
+    real v = K(1.0) / (K(1.0) + lambda);
     real p_0 = t_infinity * t_infinity;
     real p_2 = K(0.140625) * (K(1.0) + q_1 + q_2 + q_3) - p_0 - p_1;
-    real t = l * sqrt(v * (p_0 + v * (p_1 + v * p_2)) / (K(1.0) + v * (q_1 + v * (q_2 + v * q_3))));
+    real t = lambda * sqrt(v * (p_0 + v * (p_1 + v * p_2))
+        / (K(1.0) + v * (q_1 + v * (q_2 + v * q_3))));
     real slope = u_1 / (u_infinity * t_infinity);
-    real size = abs(cos_theta);
-    real above = K(1.0) + u_1 * t;
-    real below = (K(0.5) + t * (K(0.25) + K(0.5) * u_1 + slope * t)) * (exp(t * size) + K(1.0));
-    real m = sg_mean(lambda);
-    return sg_L_b(lambda) + m * (max(cos_theta, K(0.0)) + K(0.5) * (K(1.0) - size) * above / below);
+    real u = (K(1.0) + u_1 * t) / (K(0.5) + t * (K(0.25) + K(0.5) * u_1 + slope * t));
+    real e = exp(-t * size);
+    real c = max(z, K(0.0)) + K(0.5) * u * e / (K(1.0) + e) * (K(1.0) - size);
+    real value = sg_L_b(lambda) + sg_mean(lambda) * c;
+    return v <= K(1.0e-37) ? max(z, K(0.0)) : value;
 }
