@@ -1,11 +1,10 @@
-/* sgfit eval, run as users run it: values, columns, precisions, speed. */
+/* sgfit eval, run as users run it: values, columns, precisions. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <time.h>
 
 #include <cmocka.h>
 
@@ -232,49 +231,6 @@ static void beta_is_taken_where_there_are_both(void **state)
     run_free(&r);
 }
 
-static void a_million_rows_in_ten_seconds(void **state)
-{
-    (void)state;
-#ifdef __SANITIZE_ADDRESS__
-    enum { ROWS = 20000 };
-    const double most = HUGE_VAL; /* the bound is for the program as released */
-#else
-    enum { ROWS = 1000000 };
-    const double most = 10.0;
-#endif
-    char path[] = "/tmp/sgfit-test-eval-XXXXXX";
-    FILE *file = fdopen(mkstemp(path), "w");
-    uint64_t x = 88172645463325252u;
-    fprintf(file, "lambda,beta\n");
-    for (int i = 0; i < ROWS; i++) {
-        double u[2];
-        for (int k = 0; k < 2; k++) {
-            x ^= x << 13;
-            x ^= x >> 7;
-            x ^= x << 17;
-            u[k] = (double)(x >> 11) * 0x1p-53;
-        }
-        fprintf(file, "%.17g,%.17g\n", pow(10.0, 7.0 * u[0] - 3.0), pi * u[1]);
-    }
-    assert_int_equal(fclose(file), 0);
-    struct timespec begun, ended;
-    clock_gettime(CLOCK_MONOTONIC, &begun);
-    const run_options input = {.in_path = path};
-    run r = RUN(&input, "eval");
-    clock_gettime(CLOCK_MONOTONIC, &ended);
-    unlink(path);
-    double seconds =
-        (double)(ended.tv_sec - begun.tv_sec) + 1e-9 * (double)(ended.tv_nsec - begun.tv_nsec);
-    int lines = 0;
-    for (const char *p = r.out; *p; p++)
-        lines += *p == '\n';
-    printf("%d rows in %.2f s\n", (int)ROWS, seconds);
-    assert_string_equal(r.error, "");
-    assert_int_equal(lines, ROWS + 1);
-    assert_true(seconds < most);
-    run_free(&r);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -286,7 +242,6 @@ int main(void)
         cmocka_unit_test(an_enclosure_holds_the_reference),
         cmocka_unit_test(one_point_and_json),
         cmocka_unit_test(beta_is_taken_where_there_are_both),
-        cmocka_unit_test(a_million_rows_in_ten_seconds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

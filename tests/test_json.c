@@ -73,8 +73,9 @@ static void text_that_is_no_utf_8_is_marked(void **state)
     (void)state;
     char *text =
         base_json_quote("\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82 \xe9t\xe9 \xc0\xaf \xed\xa0\x80");
-    assert_string_equal(text, "\"\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82 \\ufffdt\\ufffd "
-                              "\\ufffd\\ufffd \\ufffd\\ufffd\\ufffd\"");
+#define MARK "\xef\xbf\xbd"
+    assert_string_equal(text, "\"\xc3\xa9 \xe2\x82\xac \xf0\x9f\x99\x82 " MARK "t" MARK
+                              " " MARK MARK " " MARK MARK MARK "\"");
     free(text);
 }
 

@@ -71,7 +71,7 @@ static void put_string(text_buffer *out, const char *text)
         char escape[8];
         size_t length = character_length(p);
         if (length == 0) /* bytes that are no text become the mark for that */
-            put_text(out, "\\ufffd");
+            put_text(out, "\xef\xbf\xbd");
         else if (length > 1 || ((unsigned char)*p >= 0x20 && *p != '"' && *p != '\\'))
             put(out, p, length);
         else if (*p == '"' || *p == '\\')

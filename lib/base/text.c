@@ -2,6 +2,7 @@
 
 #include "c_locale.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -68,6 +69,44 @@ static void shortest_digits(decimal *d, double magnitude, const void *value, rea
     decimal_read(d, text);
 }
 
+/* The same from one conversion. With all digits known as a whole number n, half the distance to
+ * the next double (float) is a number of units of its last digit, and so is what rounding to fewer
+ * digits moves it by. False where that leaves a doubt, which takes a conversion back to settle. */
+static bool quick_digits(decimal *d, double magnitude, int certain, int most, int precision)
+{
+    char text[BASE_NUMBER_SIZE];
+    int unused;
+    double mantissa = frexp(magnitude, &unused);
+    if (mantissa == 0.5)
+        return false;
+    snprintf(text, sizeof text, "%.*e", most - 1, magnitude);
+    uint64_t n = (uint64_t)(text[0] - '0');
+    for (const char *p = text + 2; *p != 'e'; p++)
+        n = 10 * n + (uint64_t)(*p - '0');
+    double half = (double)n * ldexp(1.0, -precision - 1) / mantissa;
+    uint64_t unit = 1;
+    for (int i = certain; i < most; i++)
+        unit *= 10;
+    for (; unit > 1; unit /= 10) {
+        uint64_t below = n % unit, moved = below < unit - below ? below : unit - below;
+        /* n itself is rounded by up to half a unit. */
+        if ((double)moved - 0.6 > half)
+            continue;
+        if ((double)moved + 0.6 > half || 2 * below == unit)
+            return false;
+        n = n - below + (2 * below > unit ? unit : 0);
+        break;
+    }
+    const char *exponent = strchr(text, 'e');
+    d->exponent = (int)strtol(exponent + 1, NULL, 10);
+    d->count = snprintf(d->digits, sizeof d->digits, "%" PRIu64, n);
+    if (d->count > most) /* 9.99...  became 10 */
+        d->exponent++;
+    while (d->count > 1 && d->digits[d->count - 1] == '0')
+        d->count--;
+    return true;
+}
+
 /* Fixed where that is not longer than scientific, or for a whole number up to seven digits. */
 static char *write_decimal(const decimal *d, bool negative, char text[BASE_NUMBER_SIZE])
 {
@@ -127,7 +166,8 @@ char *base_shortest_f64(double value, char text[BASE_NUMBER_SIZE])
     double magnitude = fabs(value);
     decimal d;
     locale_t before = base_enter_c_locale();
-    shortest_digits(&d, magnitude, &magnitude, reads_back_f64, 15, 17, !isnormal(value));
+    if (!isnormal(value) || !quick_digits(&d, magnitude, 15, 17, 53))
+        shortest_digits(&d, magnitude, &magnitude, reads_back_f64, 15, 17, !isnormal(value));
     base_leave_c_locale(before);
     return write_decimal(&d, value < 0.0, text);
 }
@@ -139,7 +179,8 @@ char *base_shortest_f32(float value, char text[BASE_NUMBER_SIZE])
     float magnitude = fabsf(value);
     decimal d;
     locale_t before = base_enter_c_locale();
-    shortest_digits(&d, (double)magnitude, &magnitude, reads_back_f32, 6, 9, !isnormal(value));
+    if (!isnormal(value) || !quick_digits(&d, (double)magnitude, 6, 9, 24))
+        shortest_digits(&d, (double)magnitude, &magnitude, reads_back_f32, 6, 9, !isnormal(value));
     base_leave_c_locale(before);
     return write_decimal(&d, value < 0.0f, text);
 }
