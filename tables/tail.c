@@ -75,7 +75,18 @@ static size_t make_samples(sample *samples)
     return count;
 }
 
-/* out = (sum over samples of weight w w^T) x, the normal matrix; `free` masks the texels fitted. */
+/* The row at the tail's end and the column at infinite sharpness stay at the function's values:
+ * what is beyond them sees nothing else. */
+static void hold_edges(double *change)
+{
+    for (int i = 0; i < TAIL_SIZE; i++) {
+        change[(TAIL_SIZE - 1) * TAIL_SIZE + i] = 0;
+        change[i * TAIL_SIZE + TAIL_SIZE - 1] = 0;
+    }
+}
+
+/* out = (sum over samples of weight w w^T) x, the normal matrix, for the texels that are not held.
+ */
 static void normal_product(const sample *samples, size_t count, const double *x, double *out)
 {
     memset(out, 0, TEXELS * sizeof *out);
@@ -85,8 +96,7 @@ static void normal_product(const sample *samples, size_t count, const double *x,
         for (int k = 0; k < 4; k++)
             out[at->corner + step[k]] += at->weights[k] * value;
     }
-    for (int i = 0; i < TAIL_SIZE; i++)
-        out[(TAIL_SIZE - 1) * TAIL_SIZE + i] = 0; /* the last row stays as it is */
+    hold_edges(out);
 }
 
 static double dot(const double *a, const double *b)
@@ -110,8 +120,7 @@ static void solve(const sample *samples, size_t count, double *texels)
         for (int k = 0; k < 4; k++)
             r[at->corner + step[k]] += at->weights[k] * residual;
     }
-    for (int i = 0; i < TAIL_SIZE; i++)
-        r[(TAIL_SIZE - 1) * TAIL_SIZE + i] = 0;
+    hold_edges(r);
     memcpy(p, r, TEXELS * sizeof *p);
     double size = dot(r, r);
     for (int n = 0; n < steps && size > 0; n++) {
