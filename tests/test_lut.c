@@ -133,7 +133,7 @@ static void test_texel_centres(void **state)
     free(table.texels);
 }
 
-/* Nothing negative; the function's largest value is 1/sqrt(2 pi), at infinite sharpness. */
+/* Nothing negative; the largest value stands at the terminator, 0.4413 at lambda 2.8. */
 static void test_texels_are_a_tail(void **state)
 {
     (void)state;
@@ -141,7 +141,7 @@ static void test_texels_are_a_tail(void **state)
     for (int f = 0; f < 2; f++) {
         texture table = load(names[f]);
         for (int i = 0; i < 32 * 32; i++)
-            assert_true(table.texels[i] >= 0 && table.texels[i] < 0.4F);
+            assert_true(table.texels[i] >= 0 && table.texels[i] < 0.45F);
         for (int i = 0; i < 32; i++)
             assert_true(table.texels[31 * 32 + i] < 1e-3F * table.texels[i]);
         free(table.texels);
