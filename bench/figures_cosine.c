@@ -10,18 +10,36 @@
 
 enum { POINTS = 201, CURVES_MAX = 8 };
 
-/* amplitude exp(sharpness (z - 1)) - offset - z, z = cos of the angle to the normal. */
+/* scale (exp(sharpness z) - 1) + rest, z = cos of the angle to the normal: a lobe of amplitude
+ * scale e^sharpness less the constant scale - rest. */
 typedef struct lobe_cosine {
     char label[80];
-    double sharpness, amplitude, offset;
+    double sharpness, scale, rest;
     int colour;
     plot_style style;
 } lobe_cosine;
 
 static double error_at(const lobe_cosine *c, double z)
 {
-    /* amplitude - offset is near 1 and both are large: take the lobe's difference from its peak */
-    return c->amplitude * expm1(c->sharpness * (z - 1.0)) + (c->amplitude - c->offset) - z;
+    return c->scale * expm1(c->sharpness * z) + c->rest - z;
+}
+
+/* The forms write it in three ways. */
+static bool read_cosine(const sg_method *m, lobe_cosine *c)
+{
+    double amplitude = report_coefficient(m, "cosine_amplitude");
+    double alpha = report_coefficient(m, "alpha");
+    c->sharpness = report_coefficient(m, "cosine_sharpness");
+    c->scale = report_coefficient(m, "cosine_scale");
+    c->rest = report_coefficient(m, "cosine_rest");
+    if (isfinite(amplitude)) {
+        c->scale = amplitude * exp(-c->sharpness);
+        c->rest = c->scale - report_coefficient(m, "cosine_offset");
+    } else if (isfinite(alpha)) {
+        c->scale = alpha;
+        c->rest = 0.0;
+    }
+    return isfinite(c->sharpness + c->scale + c->rest);
 }
 
 static size_t add_family(const char *published, lobe_cosine *curves, size_t count)
@@ -31,18 +49,11 @@ static size_t add_family(const char *published, lobe_cosine *curves, size_t coun
     for (size_t i = 0; i < family && count < CURVES_MAX; i++) {
         const sg_method *m = models[i].method;
         char label[64];
-        lobe_cosine c = {.sharpness = report_coefficient(m, "cosine_sharpness"),
-                         .amplitude = report_coefficient(m, "cosine_amplitude"),
-                         .offset = report_coefficient(m, "cosine_offset")};
-        double alpha = report_coefficient(m, "alpha");
-        if (isfinite(alpha)) { /* alpha (e^sharpness G - 1) */
-            c.amplitude = alpha * exp(c.sharpness);
-            c.offset = alpha;
-        }
-        bool known = false; /* a refit of the steepness alone has the same cosine */
+        lobe_cosine c = {0};
+        bool known = !read_cosine(m, &c); /* a refit of the steepness alone has the same cosine */
         for (size_t j = 0; j < count; j++)
-            known = known || (curves[j].sharpness == c.sharpness && curves[j].offset == c.offset);
-        if (known || !isfinite(c.sharpness + c.amplitude + c.offset))
+            known = known || (curves[j].sharpness == c.sharpness && curves[j].scale == c.scale);
+        if (known)
             continue;
         snprintf(c.label, sizeof c.label, "%s", report_label(&models[i], label));
         c.colour = 1 + (int)count;
@@ -60,7 +71,7 @@ static void caption(page *page, const lobe_cosine *curves, const double *worst, 
     for (size_t i = 0; i < count && used < sizeof text; i++) {
         used += (size_t)snprintf(text + used, sizeof text - used, "%s`%s` %s", i ? ", " : "",
                                  curves[i].label, html_number(worst[i], 2, number[0]));
-        largest = fmax(largest, curves[i].amplitude);
+        largest = fmax(largest, curves[i].scale * exp(curves[i].sharpness));
     }
     figure_end(page,
                "Tokuyoshi's figure 2: a lobe less a constant against the clamped cosine, over the "
@@ -91,8 +102,8 @@ static void misprint(page *page)
     html_paragraph(
         page,
         "The poster prints the constant of `meder_2018_hg` as 31.703. With it the error "
-        "of L grows from %s to %s (at λ = %s, β = %s), its RMSE from %s to %s; %s, which "
-        "implementations carry, is the one that a fit gives.",
+        "of L grows from %s to %s (at λ = %s, β = %s), its RMSE from %s to %s. Implementations "
+        "in public use carry %s.",
         html_number(right.max_abs, 3, text[0]), html_number(wrong.max_abs, 3, text[1]),
         html_number(wrong.max_abs_lambda, 3, text[2]), html_number(wrong.max_abs_beta, 3, text[3]),
         html_number(right.rmse, 2, text[4]), html_number(wrong.rmse, 2, text[5]),
@@ -105,7 +116,7 @@ bool report_cosine(report *report)
     size_t count = add_family("meder_2018_hg", curves, 0);
     if (count) { /* the poster's misprint, beside what it misprints */
         curves[count] = curves[0];
-        curves[count].offset = 31.703;
+        curves[count].rest = curves[count].scale - 31.703;
         curves[count].colour = 8;
         curves[count].style = PLOT_DOTTED;
         snprintf(curves[count].label, sizeof curves[count].label,

@@ -76,8 +76,8 @@ static bool panel_c_error(page *page, const report_model *model, double *worst)
     snprintf(id, sizeof id, "meder_5a_%s", report_label(model, label));
     snprintf(title, sizeof title, "error of c: %s", label);
     plot p = over_angle(id, title, "c of the model − c");
-    p.y_range[0] = -0.006;
-    p.y_range[1] = 0.006;
+    p.y_range[0] = -0.008;
+    p.y_range[1] = 0.008;
     p.data = data;
     p.series = series;
     p.series_count = SHARPNESSES;
@@ -120,7 +120,7 @@ static bool panel_s(page *page, const report_model *model)
 bool report_curves(report *report)
 {
     report_model models[REPORT_MODELS_MAX];
-    size_t count = report_family("meder_2018", models);
+    size_t count = report_selection(report, "meder_2018", models);
     char text[2][HTML_NUMBER_SIZE];
     double worst[REPORT_MODELS_MAX] = {0.0};
     page *page = report->page;

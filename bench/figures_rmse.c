@@ -66,7 +66,7 @@ static size_t of_the_paper(profile *profiles)
         measure(&model, &profiles[count]);
         profiles[count].style = PLOT_DASHED;
         profiles[count].width = 2.0;
-        profiles[count].colour = (int)(5 - 2 * i);
+        profiles[count].colour = (int)(5 - 2 * i); /* not among ours */
         count++;
     }
     report_model models[REPORT_MODELS_MAX];
@@ -76,7 +76,7 @@ static size_t of_the_paper(profile *profiles)
     for (size_t i = 0; i < family; i++, count++) {
         measure(&models[i], &profiles[count]);
         profiles[count].style = i ? PLOT_LINE : PLOT_DASHED;
-        profiles[count].colour = i ? 1 + 2 * (int)i : 2;
+        profiles[count].colour = i ? report_our_colour(i - 1) : 2;
         profiles[count].width = i ? 2.2 : 2.4;
     }
     return count;
@@ -99,6 +99,32 @@ static size_t published(profile *profiles)
     return count;
 }
 
+/* Every fit of ours, and the published methods that they continue. */
+static size_t refitted(profile *profiles)
+{
+    size_t count = 0, ours = 0;
+    for (size_t i = 0; i < sg_method_count() && count < 12; i++) {
+        report_model model = {sg_method_at(i), true};
+        bool tier = strcmp(model.method->variant, "tier") == 0;
+        if (!tier && strcmp(model.method->variant, "refit") != 0)
+            continue;
+        measure(&model, &profiles[count]);
+        profiles[count].colour = report_our_colour(ours);
+        profiles[count].style = tier ? PLOT_LINE : ours < 6 ? PLOT_LINE : PLOT_DOTTED;
+        profiles[count].width = 2.0;
+        count++;
+        ours++;
+    }
+    report_model best = {sg_method_find("tokuyoshi_2024"), false};
+    if (best.method && count) {
+        measure(&best, &profiles[count]);
+        profiles[count].colour = PLOT_INK;
+        profiles[count].style = PLOT_DASHED;
+        profiles[count++].width = 2.0;
+    }
+    return count;
+}
+
 bool report_rmse(report *report)
 {
     profile *profiles = calloc(METHODS_MAX, sizeof *profiles);
@@ -111,8 +137,12 @@ bool report_rmse(report *report)
                      {.id = "meder_7_L",
                       .title = "of L, every published method",
                       .y_label = "RMSE of L",
-                      .y_range = {1e-6, 1.0}}};
-    for (int i = 0; i < 2; i++) {
+                      .y_range = {1e-6, 1.0}},
+                     {.id = "meder_7_ours",
+                      .title = "of L, our fits and the best published method",
+                      .y_label = "RMSE of L",
+                      .y_range = {1e-7, 1e-1}}};
+    for (int i = 0; i < 3; i++) {
         frames[i].x_label = "sharpness λ";
         frames[i].x_log = frames[i].y_log = true;
         frames[i].x_range[0] = 1e-3;
@@ -127,6 +157,8 @@ bool report_rmse(report *report)
     for (size_t m = 0; m < count; m++)
         if (strcmp(profiles[m].label, "constant_cosine") == 0)
             constant = profiles[m].rmse[0] * sg_A(score_lambda(0));
+    count = refitted(profiles);
+    done = done && (count == 0 || panel(report->page, &frames[2], profiles, count, false));
     char text[HTML_NUMBER_SIZE];
     figure_end(report->page,
                "Meder and Brüderlin's figure 7: root mean square error over %d angles at each "

@@ -88,8 +88,9 @@ static bool panel(page *page, const plot *frame, const job *job, char what,
     plot_series series[1 + REPORT_MODELS_MAX];
     for (size_t m = 0; m < count; m++) {
         names[2 + m] = report_label(&models[m], labels[m]);
-        series[m] = (plot_series){labels[m], 2 + (int)m, models[m].ours ? 1 + 2 * (int)m : 2,
-                                  m ? PLOT_LINE : PLOT_DASHED, m ? 1.8 : 2.2};
+        series[m] =
+            (plot_series){labels[m], 2 + (int)m, models[m].ours ? report_our_colour(m - 1) : 2,
+                          m ? PLOT_LINE : PLOT_DASHED, m ? 1.8 : 2.2};
     }
     names[2 + count] = NULL;
     series[count] = (plot_series){"best at each λ", 1, PLOT_INK, PLOT_POINTS, 0.0};

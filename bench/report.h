@@ -52,6 +52,19 @@ typedef struct report_model {
  * defined everywhere), then the refits of it that the registry holds. Returns how many. */
 size_t report_family(const char *published, report_model models[REPORT_MODELS_MAX]);
 
+/* Of such a family the published model, our least RMSE and our least maximum error (one, where they
+ * are the same method); errors of L in double. Returns how many. */
+size_t report_selection(const report *report, const char *published,
+                        report_model models[REPORT_MODELS_MAX]);
+
+/* A colour for the i-th of our own fits in a figure, apart from those of what is published there.
+ */
+int report_our_colour(size_t i);
+
+/* Published constants that recipes fitted again, and how many of them lie within the relative
+ * difference that their recipe promises. False after one line. report_constants.c */
+bool report_fit_tally(size_t *constants, size_t *met);
+
 /* The published method that this one's id continues ("ID_refit"); NULL where there is none. */
 const sg_method *report_published(const sg_method *method);
 

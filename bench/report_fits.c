@@ -5,59 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "file.h"
 #include "html.h"
-#include "json.h"
 #include "report.h"
+#include "report_constants.h"
 #include "text.h"
-
-/* ---- Reading -------------------------------------------------------------------------------- */
-
-typedef struct constants {
-    size_t count;
-    char **names;
-    cJSON **files;
-} constants;
-
-static void free_constants(constants *c)
-{
-    for (size_t i = 0; c->files && i < c->count; i++)
-        cJSON_Delete(c->files[i]);
-    free(c->files);
-    base_list_free(c->names, c->count);
-}
-
-static bool read_constants(constants *c)
-{
-    *c = (constants){0};
-    char *folder = base_join(base_source_root(), "tables/constants");
-    bool done = base_list(folder, ".json", &c->names, &c->count);
-    c->files = done ? calloc(c->count + 1, sizeof *c->files) : NULL;
-    for (size_t i = 0; c->files && i < c->count && done; i++) {
-        char *path = base_join(folder, c->names[i]);
-        c->files[i] = base_json_read(path);
-        done = c->files[i] != NULL;
-        free(path);
-    }
-    free(folder);
-    return done && c->files;
-}
-
-static const char *text_of(const cJSON *object, const char *key)
-{
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-    return cJSON_IsString(item) ? item->valuestring : "";
-}
-
-static double number_of(const cJSON *object, const char *key)
-{
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-    double value;
-    if (cJSON_IsString(item) &&
-        base_parse_f64(item->valuestring, strlen(item->valuestring), &value))
-        return value;
-    return cJSON_IsNumber(item) ? item->valuedouble : (double)NAN;
-}
 
 /* "least_squares, λ 0.25 to 10000, log × cos_theta, uniform" */
 static void describe(const cJSON *entry, char *text, size_t size)
@@ -66,13 +17,14 @@ static void describe(const cJSON *entry, char *text, size_t size)
         cJSON_GetObjectItemCaseSensitive(entry, "domain"), "lambda");
     const cJSON *grid = cJSON_GetObjectItemCaseSensitive(entry, "grid");
     const cJSON *weights = cJSON_GetObjectItemCaseSensitive(entry, "weights");
-    const char *spacing = text_of(cJSON_GetObjectItemCaseSensitive(grid, "lambda"), "spacing");
+    const char *spacing =
+        report_constants_text(cJSON_GetObjectItemCaseSensitive(grid, "lambda"), "spacing");
     char number[4][HTML_NUMBER_SIZE], weight[64] = "";
     if (cJSON_IsObject(weights))
         snprintf(weight, sizeof weight, ", weight λ^%s",
-                 html_number(number_of(weights, "lambda"), 2, number[2]));
+                 html_number(report_constants_number(weights, "lambda"), 2, number[2]));
     const cJSON *low = cJSON_GetArrayItem(lambda, 0), *high = cJSON_GetArrayItem(lambda, 1);
-    snprintf(text, size, "%s; λ from %s to %s%s%s%s", text_of(entry, "objective"),
+    snprintf(text, size, "%s; λ from %s to %s%s%s%s", report_constants_text(entry, "objective"),
              html_number(cJSON_IsNumber(low) ? low->valuedouble : (double)NAN, 2, number[0]),
              html_number(cJSON_IsNumber(high) ? high->valuedouble : (double)INFINITY, 2, number[1]),
              *spacing ? ", spacing " : "", spacing, weight);
@@ -90,8 +42,10 @@ static void write_constant(page *page, FILE *csv, const char *method, const cJSO
                            const cJSON *constant, bool first, tally *tally)
 {
     char text[5][BASE_NUMBER_SIZE], how[200];
-    double published = number_of(constant, "published"), ours = number_of(constant, "ours");
-    double relative = number_of(constant, "relative"), bar = number_of(constant, "bar");
+    double published = report_constants_number(constant, "published"),
+           ours = report_constants_number(constant, "ours");
+    double relative = report_constants_number(constant, "relative"),
+           bar = report_constants_number(constant, "bar");
     bool met = !(relative > bar);
     describe(recipe, how, sizeof how);
     base_shortest_f64(published, text[0]);
@@ -114,7 +68,7 @@ static void write_constant(page *page, FILE *csv, const char *method, const cJSO
     tally->met += met && !isnan(bar);
 }
 
-static tally write_regenerated(report *report, const constants *c)
+static tally write_regenerated(report *report, const report_constants *c)
 {
     static const char *const columns[] = {
         "method", "constant", "published", "ours", "#relative difference", "#allowed", "how", NULL};
@@ -130,8 +84,8 @@ static tally write_regenerated(report *report, const constants *c)
             bool first = true;
             cJSON_ArrayForEach(constant, cJSON_GetObjectItemCaseSensitive(recipe, "constants"))
             {
-                write_constant(page, csv, text_of(c->files[i], "id"), recipe, constant, first,
-                               &tally);
+                write_constant(page, csv, report_constants_text(c->files[i], "id"), recipe,
+                               constant, first, &tally);
                 first = false;
             }
         }
@@ -159,14 +113,14 @@ static void write_attempt(page *page, const cJSON *recipe, const cJSON *attempt,
     describe(attempt, how, sizeof how);
     html_row_begin(page, first ? "group" : NULL);
     html_cell_code(page, first ? recipe->string : "");
-    html_cell_wrap(page, text_of(attempt, "what"));
+    html_cell_wrap(page, report_constants_text(attempt, "what"));
     html_cell_wrap(page, list);
-    html_cell_number(page, number_of(attempt, "rms"), 2);
+    html_cell_number(page, report_constants_number(attempt, "rms"), 2);
     html_cell_wrap(page, how);
     html_row_end(page);
 }
 
-static void write_tried(report *report, const constants *c)
+static void write_tried(report *report, const report_constants *c)
 {
     static const char *const columns[] = {"recipe",        "other way", "gives",
                                           "#rms residual", "how",       NULL};
@@ -196,8 +150,9 @@ static void write_tried(report *report, const constants *c)
         const cJSON *recipe;
         cJSON_ArrayForEach(recipe, cJSON_GetObjectItemCaseSensitive(c->files[i], "regenerated"))
         {
-            if (*text_of(recipe, "note"))
-                html_paragraph(page, "`%s`: %s", recipe->string, text_of(recipe, "note"));
+            if (*report_constants_text(recipe, "note"))
+                html_paragraph(page, "`%s`: %s", recipe->string,
+                               report_constants_text(recipe, "note"));
         }
     }
 }
@@ -212,15 +167,15 @@ static size_t index_of(const sg_method *method)
     return i;
 }
 
-static const cJSON *provenance_of(const constants *c, const char *id)
+static const cJSON *provenance_of(const report_constants *c, const char *id)
 {
     for (size_t i = 0; i < c->count; i++)
-        if (strcmp(text_of(c->files[i], "id"), id) == 0)
+        if (strcmp(report_constants_text(c->files[i], "id"), id) == 0)
             return cJSON_GetObjectItemCaseSensitive(c->files[i], "provenance");
     return NULL;
 }
 
-static void write_refit(report *report, const constants *c, size_t index, FILE *csv)
+static void write_refit(report *report, const report_constants *c, size_t index, FILE *csv)
 {
     page *page = report->page;
     const sg_method *method = sg_method_at(index), *old = report_published(method);
@@ -246,7 +201,7 @@ static void write_refit(report *report, const constants *c, size_t index, FILE *
             base_shortest_f64(now->rmse, text[3]));
 }
 
-static void write_refits(report *report, const constants *c)
+static void write_refits(report *report, const report_constants *c)
 {
     static const char *const columns[] = {"method",
                                           "form",
@@ -271,8 +226,8 @@ static void write_refits(report *report, const constants *c)
 
 bool report_fits(report *report)
 {
-    constants c;
-    bool done = read_constants(&c);
+    report_constants c;
+    bool done = report_constants_read(&c);
     if (done) {
         html_paragraph(report->page,
                        "The recipes in `fit/recipes` start from nothing but the integral. Each is "
@@ -287,6 +242,6 @@ bool report_fits(report *report)
         write_tried(report, &c);
         write_refits(report, &c);
     }
-    free_constants(&c);
+    report_constants_free(&c);
     return done;
 }

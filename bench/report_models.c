@@ -46,6 +46,45 @@ size_t report_family(const char *published, report_model models[REPORT_MODELS_MA
     return count;
 }
 
+static size_t index_of(const sg_method *method)
+{
+    size_t i = 0;
+    while (sg_method_at(i) != method)
+        i++;
+    return i;
+}
+
+size_t report_selection(const report *report, const char *published,
+                        report_model models[REPORT_MODELS_MAX])
+{
+    size_t count = report_family(published, models);
+    report_model by_rmse = {NULL, true}, by_max = {NULL, true};
+    double rmse = (double)INFINITY, max_abs = (double)INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        const score_result *r = &report->scores[index_of(models[i].method)][SCORE_F64];
+        if (models[i].ours && r->rmse < rmse) {
+            rmse = r->rmse;
+            by_rmse = models[i];
+        }
+        if (models[i].ours && r->max_abs < max_abs) {
+            max_abs = r->max_abs;
+            by_max = models[i];
+        }
+    }
+    count = count && !models[0].ours ? 1 : 0;
+    if (by_rmse.method)
+        models[count++] = by_rmse;
+    if (by_max.method && by_max.method != by_rmse.method)
+        models[count++] = by_max;
+    return count;
+}
+
+int report_our_colour(size_t i)
+{
+    static const int colours[] = {1, 7, 4, 6, 9, 8};
+    return colours[i % (sizeof colours / sizeof *colours)];
+}
+
 const char *report_label(const report_model *model, char text[64])
 {
     snprintf(text, 64, "%s", model->method->id);

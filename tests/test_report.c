@@ -198,6 +198,14 @@ static void the_papers_figures_are_drawn(void **state)
         snprintf(name, sizeof name, "id=\"%s_plot_1\"", ids[i]); /* gnuplot's first curve */
         assert_non_null(strstr(page, name));
     }
+    /* what is compared in figure 2 is there, under whichever names a form has its constants */
+    char path[128];
+    snprintf(path, sizeof path, "%s/data/tokuyoshi_2.csv", out);
+    char *csv = base_read_file(path, &(size_t){0});
+    assert_non_null(csv);
+    assert_non_null(strstr(csv, ",meder_2018_hg,"));
+    assert_non_null(strstr(csv, ",tokuyoshi_2022"));
+    free(csv);
     /* a curve that gnuplot drew without a point would be a figure of axes */
     for (const char *plot = strstr(page, "_plot_1\""); plot; plot = strstr(plot + 1, "_plot_1\"")) {
         const char *close = strstr(plot, "</g>\n\t</g>"), *line = strstr(plot, " L");
