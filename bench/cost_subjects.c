@@ -17,7 +17,7 @@ const char *cost_quantity_name(sg_quantity quantity)
 static char *method_text(const form_list *forms, const method_list *methods, const char *id,
                          sg_quantity quantity)
 {
-    const method *only = constants_find(methods, id);
+    const method *only = methods_find(methods, id);
     if (!only) {
         base_error("tables/constants: expected %s.json, which this program was built with", id);
         return NULL;
@@ -87,11 +87,11 @@ bool cost_subjects_read(cost_subjects *subjects, const char *only)
     method_list methods = {0};
     char *form_folder = base_join(base_source_root(), "shaders/forms");
     char *constants = base_join(base_source_root(), "tables/constants");
-    bool good = forms_read(&forms, form_folder) && constants_read(&methods, constants, &forms) &&
+    bool good = forms_read(&forms, form_folder) && methods_read(&methods, constants, &forms) &&
                 add_methods(subjects, &forms, &methods, only) && add_tables(subjects, &forms, only);
     free(form_folder);
     free(constants);
-    constants_free(&methods);
+    methods_free(&methods);
     forms_free(&forms);
     if (good && subjects->count == 0) {
         base_error("expected the id of a method (see sgfit methods) or of a table, found %s", only);

@@ -174,7 +174,7 @@ static bool resolve(method *method, const method_list *list)
     if (!from)
         return read_coefficients(method, own, method->path);
     const struct method *other =
-        cJSON_IsString(from) ? constants_find(list, from->valuestring) : NULL;
+        cJSON_IsString(from) ? methods_find(list, from->valuestring) : NULL;
     own = other ? cJSON_GetObjectItemCaseSensitive(other->json, "coefficients") : NULL;
     if (!cJSON_IsObject(own))
         return refuse(method, "coefficients_from",
@@ -188,7 +188,7 @@ static int by_year(const void *a, const void *b)
     return x->year != y->year ? (x->year > y->year) - (x->year < y->year) : strcmp(x->id, y->id);
 }
 
-bool constants_read(method_list *list, const char *folder, const form_list *forms)
+bool methods_read(method_list *list, const char *folder, const form_list *forms)
 {
     char **names;
     size_t count;
@@ -207,7 +207,7 @@ bool constants_read(method_list *list, const char *folder, const form_list *form
     return good;
 }
 
-void constants_free(method_list *list)
+void methods_free(method_list *list)
 {
     for (size_t i = 0; i < list->count; i++) {
         free(list->methods[i].path);
@@ -219,7 +219,7 @@ void constants_free(method_list *list)
     *list = (method_list){0};
 }
 
-const method *constants_find(const method_list *list, const char *id)
+const method *methods_find(const method_list *list, const char *id)
 {
     for (size_t i = 0; i < list->count; i++) {
         if (strcmp(list->methods[i].id, id) == 0)

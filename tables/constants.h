@@ -31,12 +31,12 @@ typedef struct method_list {
 } method_list;
 
 /* Reads FOLDER/ID.json, every one. False after one line that names file and line. */
-bool constants_read(method_list *list, const char *folder, const form_list *forms);
-void constants_free(method_list *list);
-const method *constants_find(const method_list *list, const char *id);
+bool methods_read(method_list *list, const char *folder, const form_list *forms);
+void methods_free(method_list *list);
+const method *methods_find(const method_list *list, const char *id);
 
 /* Joins the costs in a CSV (tables/cost.csv) to the methods; a file that is not there is no error.
  */
-bool costs_read(method_list *list, const char *path);
+bool methods_read_costs(method_list *list, const char *path);
 
 #endif

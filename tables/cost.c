@@ -6,7 +6,7 @@
 #include "base/csv.h"
 #include "constants.h"
 
-bool costs_read(method_list *list, const char *path)
+bool methods_read_costs(method_list *list, const char *path)
 {
     FILE *stream = fopen(path, "r");
     if (!stream)
@@ -19,7 +19,7 @@ bool costs_read(method_list *list, const char *path)
         int throughput = base_csv_column(&csv, "gpu_inverse_throughput");
         int row;
         while ((row = base_csv_next(&csv)) > 0) {
-            method *method = id < 0 ? NULL : (struct method *)constants_find(list, csv.fields[id]);
+            method *method = id < 0 ? NULL : (struct method *)methods_find(list, csv.fields[id]);
             if (!method || quantity < 0 || instructions < 0)
                 continue;
             buffer text = {0};

@@ -26,7 +26,7 @@ static bool find_irradiance(sources *from)
     const char *line = strstr(from->lobe, "// method: ");
     char id[128] = "";
     if (!line || sscanf(line, "// method: %127s", id) != 1 ||
-        !(from->irradiance = constants_find(&from->methods, id))) {
+        !(from->irradiance = methods_find(&from->methods, id))) {
         base_error("%s:1: expected a line \"// method: ID\" that names a method, the one that "
                    "sg_irradiance uses",
                    from->lobe_path);
@@ -42,8 +42,8 @@ static bool read_sources(sources *from, const char *root, const char *tables)
     *from = (sources){.lobe_path = base_join(forms, "lobe.glsl"),
                       .table_path = base_join(forms, "table.glsl")};
     bool good = forms_read(&from->forms, forms) &&
-                constants_read(&from->methods, constants, &from->forms) &&
-                costs_read(&from->methods, cost) &&
+                methods_read(&from->methods, constants, &from->forms) &&
+                methods_read_costs(&from->methods, cost) &&
                 (from->lobe = base_read_file(from->lobe_path, NULL)) &&
                 (from->table = base_read_file(from->table_path, NULL)) && find_irradiance(from);
     free(forms);
@@ -54,7 +54,7 @@ static bool read_sources(sources *from, const char *root, const char *tables)
 
 static void free_sources(sources *from)
 {
-    constants_free(&from->methods);
+    methods_free(&from->methods);
     forms_free(&from->forms);
     free(from->lobe_path);
     free(from->lobe);
@@ -164,7 +164,7 @@ static int emit(int argc, char **argv)
     const method *only = NULL;
     status = BASE_USAGE;
     bool read = read_sources(&from, root, tables ? tables : default_tables);
-    if (read && id && !(only = constants_find(&from.methods, id)))
+    if (read && id && !(only = methods_find(&from.methods, id)))
         base_error("emit: expected --method to name a method (see sgfit methods), found %s", id);
     else if (read && out)
         status = write_shader(&from, out, only) ? BASE_DONE : BASE_FAILED;

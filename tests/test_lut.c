@@ -142,7 +142,8 @@ static void test_texels_are_a_tail(void **state)
         texture table = load(names[f]);
         for (int i = 0; i < 32 * 32; i++)
             assert_true(table.texels[i] >= 0 && table.texels[i] < 0.45F);
-        for (int i = 0; i < 32; i++)
+        /* the last row is inside the domain (c <= 1) from lambda = 18.25 on */
+        for (int i = 28; i < 32; i++)
             assert_true(table.texels[31 * 32 + i] < 1e-3F * table.texels[i]);
         free(table.texels);
     }
