@@ -122,8 +122,8 @@ const char *cost_device_name(const cost_device *device);   /* "llvmpipe (...)" *
 const char *cost_device_driver(const cost_device *device); /* "llvmpipe Mesa 22.3.6 (...)" */
 
 /* Time of a shader of eight evaluations an invocation over that of the same shader with an addition
- * in place of the evaluation: the median of the ratios of runs made in turn. False after one line
- * on standard error. */
+ * in place of the evaluation: the fastest run of each, made in turn. False after one line on
+ * standard error. */
 /* Values of the subject's own text at n points, given as lambda and cos_theta by turns. */
 bool cost_device_values(cost_device *device, const cost_subject *subject, size_t n,
                         const float *pairs, float *values);
@@ -153,6 +153,7 @@ typedef struct cost_table {
     cost_row *rows; /* one a subject */
     cost_options options;
     int samples;
+    bool counted;             /* at least one family */
     char counter_driver[600]; /* or the reason why nothing was counted */
     char device_name[300], device_driver[600];
     double call_overhead; /* nanoseconds of calling an empty function through a pointer */

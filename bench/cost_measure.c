@@ -91,6 +91,7 @@ static bool count_all(cost_table *table, base_progress *progress)
                 snprintf(table->counter_driver, sizeof table->counter_driver, "%s", reason);
             continue;
         }
+        table->counted = true;
         snprintf(table->counter_driver, sizeof table->counter_driver, "%s",
                  cost_counter_driver(counter));
         for (size_t i = 0; i < table->subjects.count && good; i++) {

@@ -99,7 +99,7 @@ bool cost_write_csv(const cost_table *table, const char *path, bool deterministi
     for (int c = 0; c < COLUMNS; c++)
         if (!deterministic || columns[c].deterministic)
             fprintf(output.stream, ",%s", columns[c].name);
-    fprintf(output.stream, "\n");
+    fprintf(output.stream, ",gpu_driver\n");
     for (size_t i = 0; i < table->subjects.count; i++) {
         const cost_row *row = &table->rows[i];
         fprintf(output.stream, "%s,%s", row->subject->id,
@@ -112,7 +112,7 @@ bool cost_write_csv(const cost_table *table, const char *path, bool deterministi
             fprintf(output.stream, ",%s",
                     isnan(value) ? "" : base_shortest_f64(rounded(value), text));
         }
-        fprintf(output.stream, "\n");
+        fprintf(output.stream, ",%s\n", table->counted ? table->counter_driver : "");
     }
     return base_output_close(&output);
 }
