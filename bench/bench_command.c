@@ -12,8 +12,12 @@
 static int write_all(const cost_table *table, const char *out, const char *counts)
 {
     bool good = true;
-    if (counts)
+    if (counts && !table->counted) {
+        base_error("bench: %s stays as it is, because nothing could be counted", counts);
+        good = false;
+    } else if (counts) {
         good = cost_write_csv(table, counts, true);
+    }
     if (good && out) {
         char *csv = base_join(out, "cost.csv"), *json = base_join(out, "cost.json");
         good = base_make_directory(out) && cost_write_csv(table, csv, false) &&

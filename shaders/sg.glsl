@@ -30,6 +30,14 @@
 //   tokuyoshi_2022_stable        0.00369   Hemispherical Gaussians, error function, stable
 //   tokuyoshi_2024               0.00128   Planar Gaussian between the poles
 //   tokuyoshi_2024_stable        0.00128   Planar Gaussian between the poles, stable
+//   logistic_minimax             0.000661  Logistic with the exact limits, minimax
+//   logistic_refit               0.000733  Logistic with the exact limits, least squares
+//   meder_2018_minimax           0.00231   Logistic between the poles, minimax
+//   meder_2018_refit             0.00291   Logistic between the poles, least squares
+//   tokuyoshi_2022_minimax       0.00288   Hemispherical Gaussians, error function, minimax
+//   tokuyoshi_2022_refit         0.00298   Hemispherical Gaussians, error function, least squares
+//   tokuyoshi_2024_minimax       0.00119   Planar Gaussian between the poles, minimax
+//   tokuyoshi_2024_refit         0.00122   Planar Gaussian between the poles, least squares
 #ifndef SG_GLSL
 #define SG_GLSL
 
@@ -278,6 +286,8 @@ float sg_tanh_half(float x)
 // Error of L:
 //   float   max 0.171 at lambda 8859, beta 0.01257 (cos_theta 0.9999); RMSE 0.0491
 //   double  max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
+// Cost on navi21: L 22 instructions, inverse throughput 9; A_h 15 instructions, inverse throughput
+//   6
 // Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
 //   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
 //   eqs 2 and 3
@@ -308,6 +318,8 @@ float sg_L_wang_2009(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
 //   double  max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
+// Cost on navi21: L 82 instructions, inverse throughput 89; A_h 107 instructions, inverse
+//   throughput 120
 // Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
 //   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
 //   eqs 2 and 3
@@ -345,6 +357,8 @@ float sg_A_h_wang_2009_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00528
 //   double  max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00528
+// Cost on navi21: L 27 instructions, inverse throughput 17; A_h 22 instructions, inverse throughput
+//   8
 // Source: Pettineo and Hill, SG Series Part 3: Diffuse Lighting From an SG Light Source, 2016
 // Form pettineo_hill: Pettineo's and Hill's fit of the irradiance, as published. For lambda >= 1
 // only: below it diverges, is negative below 0.58 and is NaN where 1 - scale is not positive.
@@ -380,6 +394,8 @@ float sg_L_pettineo_hill_2016(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00455
 //   double  max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00455
+// Cost on navi21: L 58 instructions, inverse throughput 79; A_h 84 instructions, inverse throughput
+//   112
 // Source: Pettineo and Hill, SG Series Part 3: Diffuse Lighting From an SG Light Source, 2016
 // Form pettineo_hill_stable: Pettineo's and Hill's fit from lambda = 1 up, below it a Hermite
 // continuation to the exact 1/4. 1 - scale is formed as 1/lambda - 2 e^-2lambda, which does not
@@ -434,6 +450,8 @@ float sg_A_h_pettineo_hill_2016_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.154 at lambda 8508, beta 0.8482 (cos_theta 0.6613); RMSE 0.0537
 //   double  max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
+// Cost on navi21: L 22 instructions, inverse throughput 9; A_h 15 instructions, inverse throughput
+//   6
 // Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
 //   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
 // Form lobe_product: the clamped cosine as one lobe about the normal; the product's integral, as
@@ -463,6 +481,8 @@ float sg_L_tokuyoshi_2016(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
 //   double  max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
+// Cost on navi21: L 80 instructions, inverse throughput 85; A_h 105 instructions, inverse
+//   throughput 116
 // Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
 //   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
 // Form lobe_product_stable: the clamped cosine as one lobe about the normal; exponent and integrals
@@ -499,6 +519,7 @@ float sg_A_h_tokuyoshi_2016_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
 //   double  max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
+// Cost on navi21: L 15 instructions, inverse throughput 6; A_h 8 instructions, inverse throughput 3
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 2 and 7
 // Form constant_cosine: the cosine taken as constant over the lobe, as published: a directional
 // light.
@@ -521,6 +542,7 @@ float sg_L_constant_cosine(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
 //   double  max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
+// Cost on navi21: L 3 instructions, inverse throughput 1; A_h 29 instructions, inverse throughput 8
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 2 and 7
 // Form constant_cosine_stable: the cosine taken as constant over the lobe; the lobe's integral has
 // gone from L.
@@ -545,6 +567,8 @@ float sg_A_h_constant_cosine_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   not finite, first at lambda 92.24, beta 0
 //   double  max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
+// Cost on navi21: L 43 instructions, inverse throughput 47; A_h 38 instructions, inverse throughput
+//   37
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
 // Form meder_logistic: between the poles by clamped and normalised cosine, weighted by a logistic
 // curve, as published. In float NaN from lambda = 88.7 on (e^lambda), and wrong by more than 1e-2
@@ -576,6 +600,8 @@ float sg_L_meder_2018(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.0348 at lambda 8508, beta 1.323 (cos_theta 0.2456); RMSE 0.00324
 //   double  max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00297
+// Cost on navi21: L 80 instructions, inverse throughput 119; A_h 75 instructions, inverse
+//   throughput 109
 // Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
 //   offset as public implementations carry it (Tokuyoshi's poster prints 31.703)
 // Form hemisphere_logistic: the clamped cosine as a lobe less a constant, hemispheres by a logistic
@@ -614,6 +640,8 @@ float sg_L_meder_2018_hg(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00292
 //   double  max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00292
+// Cost on navi21: L 313 instructions, inverse throughput 548; A_h 333 instructions, inverse
+//   throughput 576
 // Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
 //   offset as public implementations carry it (Tokuyoshi's poster prints 31.703); cosine_scale =
 //   32.708 e^-0.0315, cosine_rest = cosine_scale - 31.7003
@@ -699,6 +727,8 @@ float sg_A_h_meder_2018_hg_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
 //   double  max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
+// Cost on navi21: L 77 instructions, inverse throughput 95; A_h 99 instructions, inverse throughput
+//   124
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
 // Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
 // logistic curve; L from the start. The poles are A_b/A = sg_L_b and A_u/A = sg_L_b + sg_mean, and
@@ -734,6 +764,8 @@ float sg_A_h_meder_2018_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00393 at lambda 5.915, beta 0.9142 (cos_theta 0.6104); RMSE 0.00056
 //   double  max 0.00369 at lambda 5.915, beta 0.9519 (cos_theta 0.5801); RMSE 0.000557
+// Cost on navi21: L 195 instructions, inverse throughput 308; A_h 216 instructions, inverse
+//   throughput 335
 // Source: Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, eq. 1 and
 //   section 2
 // Form hemisphere_erf: the clamped cosine as a lobe less a constant, hemispheres by an error
@@ -775,6 +807,8 @@ float sg_A_h_tokuyoshi_2022(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00369 at lambda 5.915, beta 0.955 (cos_theta 0.5776); RMSE 0.000557
 //   double  max 0.00369 at lambda 5.915, beta 0.9519 (cos_theta 0.5801); RMSE 0.000557
+// Cost on navi21: L 381 instructions, inverse throughput 624; A_h 401 instructions, inverse
+//   throughput 651
 // Source: Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, eq. 1 and
 //   section 2
 // Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error
@@ -843,6 +877,8 @@ float sg_A_h_tokuyoshi_2022_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
 //   double  max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
+// Cost on navi21: L 127 instructions, inverse throughput 209; A_h 122 instructions, inverse
+//   throughput 199
 // Source: Tokuyoshi et al., Hierarchical Light Sampling with Accurate Spherical Gaussian Lighting,
 //   2024, supplement
 // Form cosine_erf: between the poles by the integral of a planar Gaussian times a clamped plane, as
@@ -878,6 +914,8 @@ float sg_L_tokuyoshi_2024(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
 //   double  max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
+// Cost on navi21: L 180 instructions, inverse throughput 259; A_h 202 instructions, inverse
+//   throughput 288
 // Source: Tokuyoshi et al., Hierarchical Light Sampling with Accurate Spherical Gaussian Lighting,
 //   2024, supplement
 // Form cosine_erf_stable: between the poles by the integral of a planar Gaussian times a clamped
@@ -910,6 +948,382 @@ float sg_L_tokuyoshi_2024_stable(float lambda, float cos_theta)
 float sg_A_h_tokuyoshi_2024_stable(float lambda, float cos_theta)
 {
     return sg_A_h_from_L(sg_L_tokuyoshi_2024_stable(lambda, cos_theta), lambda);
+}
+
+// logistic_minimax: Logistic with the exact limits, minimax (refit, 2026).
+// sg_L_logistic_minimax returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.000661 at lambda 17.6, beta 1.605 (cos_theta -0.03455); RMSE 0.000136
+//   double  max 0.000661 at lambda 17.6, beta 1.536 (cos_theta 0.03455); RMSE 0.000136
+// Source: sgfit fit logistic_minimax (fit/recipes/logistic_minimax.json)
+// Made by: sgfit fit logistic_minimax
+// Form logistic_limits: Meder's logistic weight with a t and a u that have the exact limits at
+// lambda = 0 and infinity. t -> 3/8 lambda and u -> 2 - 3/8 lambda at 0, t -> t_infinity
+// sqrt(lambda) and u -> u_infinity/sqrt(lambda) at infinity. t is a rational function of v = 1/(1 +
+// lambda), in which nothing overflows, and 1/u - 1/2 one of t. L is written as m max(z, 0) plus the
+// rest, so that L(z) - L(-z) = z m holds exactly.
+float sg_L_logistic_minimax(float lambda, float cos_theta)
+{
+    const float t_infinity = 2.1583;
+    const float u_infinity = 1.569;
+    const float p_1 = 1.7325081690486936;
+    const float q_1 = 7.073468683731582;
+    const float q_2 = -14.346702658982363;
+    const float q_3 = 256.684937818807;
+    const float u_1 = 0.06558361445813207;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float size = abs(z);
+    float v = 1.0 / (1.0 + lambda);
+    float p_0 = t_infinity * t_infinity;
+    float p_2 = 0.140625 * (1.0 + q_1 + q_2 + q_3) - p_0 - p_1;
+    float t = lambda * sqrt(v * (p_0 + v * (p_1 + v * p_2))
+        / (1.0 + v * (q_1 + v * (q_2 + v * q_3))));
+    float slope = u_1 / (u_infinity * t_infinity);
+    float u = (1.0 + u_1 * t) / (0.5 + t * (0.25 + 0.5 * u_1 + slope * t));
+    float e = exp(-t * size);
+    float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
+    float value = sg_L_b(lambda) + sg_mean(lambda) * c;
+    return v <= 1.0e-37 ? max(z, 0.0) : value;
+}
+
+// sg_A_h_logistic_minimax returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_logistic_minimax(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_logistic_minimax(lambda, cos_theta), lambda);
+}
+
+// logistic_refit: Logistic with the exact limits, least squares (refit, 2026).
+// sg_L_logistic_refit returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.000733 at lambda 9.604, beta 0.8954 (cos_theta 0.6252); RMSE 0.000115
+//   double  max 0.000733 at lambda 9.604, beta 0.8954 (cos_theta 0.6252); RMSE 0.000115
+// Source: sgfit fit logistic_refit (fit/recipes/logistic_refit.json)
+// Made by: sgfit fit logistic_refit
+// Form logistic_limits: Meder's logistic weight with a t and a u that have the exact limits at
+// lambda = 0 and infinity. t -> 3/8 lambda and u -> 2 - 3/8 lambda at 0, t -> t_infinity
+// sqrt(lambda) and u -> u_infinity/sqrt(lambda) at infinity. t is a rational function of v = 1/(1 +
+// lambda), in which nothing overflows, and 1/u - 1/2 one of t. L is written as m max(z, 0) plus the
+// rest, so that L(z) - L(-z) = z m holds exactly.
+float sg_L_logistic_refit(float lambda, float cos_theta)
+{
+    const float t_infinity = 2.1583;
+    const float u_infinity = 1.569;
+    const float p_1 = 13.67232647680608;
+    const float q_1 = 11.472170013069078;
+    const float q_2 = -27.463913820113483;
+    const float q_3 = 469.67739399817657;
+    const float u_1 = 0.0995731966289656;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float size = abs(z);
+    float v = 1.0 / (1.0 + lambda);
+    float p_0 = t_infinity * t_infinity;
+    float p_2 = 0.140625 * (1.0 + q_1 + q_2 + q_3) - p_0 - p_1;
+    float t = lambda * sqrt(v * (p_0 + v * (p_1 + v * p_2))
+        / (1.0 + v * (q_1 + v * (q_2 + v * q_3))));
+    float slope = u_1 / (u_infinity * t_infinity);
+    float u = (1.0 + u_1 * t) / (0.5 + t * (0.25 + 0.5 * u_1 + slope * t));
+    float e = exp(-t * size);
+    float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
+    float value = sg_L_b(lambda) + sg_mean(lambda) * c;
+    return v <= 1.0e-37 ? max(z, 0.0) : value;
+}
+
+// sg_A_h_logistic_refit returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_logistic_refit(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_logistic_refit(lambda, cos_theta), lambda);
+}
+
+// meder_2018_minimax: Logistic between the poles, minimax (refit, 2026).
+// sg_L_meder_2018_minimax returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00231 at lambda 37.93, beta 1.455 (cos_theta 0.116); RMSE 0.000521
+//   double  max 0.00231 at lambda 37.93, beta 1.687 (cos_theta -0.116); RMSE 0.000521
+// Source: sgfit fit meder_2018_minimax (fit/recipes/meder_2018_minimax.json)
+// Made by: sgfit fit meder_2018_minimax
+// Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
+// logistic curve; L from the start. The poles are A_b/A = sg_L_b and A_u/A = sg_L_b + sg_mean, and
+// the weight of the poles is max(z, 0) + s (1 - |z|)/2: a sum of terms that are not negative, so
+// that nothing cancels and no exponential grows.
+float sg_L_meder_2018_minimax(float lambda, float cos_theta)
+{
+    const float t_scale = 2.314342453517853;
+    const float t_shift = 4.469632694403361;
+    const float u_slope = 0.26727533369808754;
+    const float u_offset = 0.4913529321656519;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float size = abs(z);
+    float t = t_scale * sqrt(lambda) * (1.0 - t_shift / (lambda + t_shift));
+    float u = 1.0 / (u_slope * t + u_offset);
+    float e = exp(-t * size);
+    float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
+    float value = sg_L_b(lambda) + sg_mean(lambda) * c;
+    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
+}
+
+// sg_A_h_meder_2018_minimax returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_meder_2018_minimax(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_meder_2018_minimax(lambda, cos_theta), lambda);
+}
+
+// meder_2018_refit: Logistic between the poles, least squares (refit, 2026).
+// sg_L_meder_2018_refit returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00291 at lambda 6.677, beta 1.508 (cos_theta 0.06279); RMSE 0.00047
+//   double  max 0.00291 at lambda 6.677, beta 1.508 (cos_theta 0.06279); RMSE 0.00047
+// Source: sgfit fit meder_2018_refit (fit/recipes/meder_2018_refit.json)
+// Made by: sgfit fit meder_2018_refit
+// Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
+// logistic curve; L from the start. The poles are A_b/A = sg_L_b and A_u/A = sg_L_b + sg_mean, and
+// the weight of the poles is max(z, 0) + s (1 - |z|)/2: a sum of terms that are not negative, so
+// that nothing cancels and no exponential grows.
+float sg_L_meder_2018_refit(float lambda, float cos_theta)
+{
+    const float t_scale = 2.36124341612423;
+    const float t_shift = 4.616744025855256;
+    const float u_slope = 0.2598843229363824;
+    const float u_offset = 0.5021997383659007;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float size = abs(z);
+    float t = t_scale * sqrt(lambda) * (1.0 - t_shift / (lambda + t_shift));
+    float u = 1.0 / (u_slope * t + u_offset);
+    float e = exp(-t * size);
+    float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
+    float value = sg_L_b(lambda) + sg_mean(lambda) * c;
+    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
+}
+
+// sg_A_h_meder_2018_refit returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_meder_2018_refit(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_meder_2018_refit(lambda, cos_theta), lambda);
+}
+
+// tokuyoshi_2022_minimax: Hemispherical Gaussians, error function, minimax (refit, 2026).
+// sg_L_tokuyoshi_2022_minimax returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00288 at lambda 5.915, beta 2.215 (cos_theta -0.6004); RMSE 0.000592
+//   double  max 0.00288 at lambda 5.915, beta 2.215 (cos_theta -0.6004); RMSE 0.000592
+// Source: sgfit fit tokuyoshi_2022_minimax (fit/recipes/tokuyoshi_2022_minimax.json)
+// Made by: sgfit fit tokuyoshi_2022_minimax
+// Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error
+// function; the difference in closed form. With c the cosine's sharpness, the hemisphere of a lobe
+// is A/2 (1 + T R), T = tanh(lambda/2), R = erf(t z)/erf(t), and L = alpha/2 (Q (1 + T3 R3) - (1 +
+// T R)), where 3 marks the product and Q = A3 e^sharpness3 / (A e^lambda). alpha c is about 1: each
+// of Q - 1, T3 - T, t3 - t ... is formed divided by c, from sharpness3 - lambda = c (2 lambda z +
+// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0, below which the
+// model itself falls, to -5.1e-4 at (9.1, z = -0.81).
+float sg_L_tokuyoshi_2022_minimax(float lambda, float cos_theta)
+{
+    const float cosine_sharpness = 8.456087224148012e-4;
+    const float alpha = 1182.246733967815;
+    const float t_0 = 0.6000847529367598;
+    const float t_1 = 0.5611082403101961;
+    const float t_2 = 10.45836178785676;
+    float c = cosine_sharpness;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float sum = lambda + c;
+    float difference = (lambda - c) / sum;
+    float product = sum * sqrt(difference * difference + 2.0 * (lambda / sum) * (c / sum) * (1.0 + z));
+    float d = (lambda * z + 0.5 * c) / (0.5 * product + 0.5 * lambda);
+    float step = c * d;
+    // steepness over sharpness, k, and bend = lambda (k3 - k)/step, in v = 1/(1 + lambda)
+    float v = 1.0 / (1.0 + lambda);
+    float v3 = 1.0 / (1.0 + product);
+    float w = lambda * v;
+    float w3 = product * v3;
+    float below = w * w + v * (t_1 * w + t_2 * v);
+    float below3 = w3 * w3 + v3 * (t_1 * w3 + t_2 * v3);
+    float k = sqrt(v * (0.5 * w + t_0 * v) / below);
+    float k3 = sqrt(v3 * (0.5 * w3 + t_0 * v3) / below3);
+    float turn = (0.5 * t_2 - t_0 * t_1) * v * v3 - t_0 * (w * v3 + w3 * v) - 0.5 * w * w3;
+    float bend = w * v3 * turn / (below * below3 * (k3 + k));
+    // steps of t z and of t, over c
+    float tz_step = k3 + z * d * bend;
+    float t_step = d * (k3 + bend);
+    // at t = 0 R is z; next to it the quotient is that to 1e-9
+    float t = max(k * lambda, 1.0e-4);
+    float ratio = sg_erf(t * z) / sg_erf(t);
+    float small = max(product, 1.0e-4);
+    float tanh3 = sg_tanh_half(product);
+    float tanh1 = sg_tanh_half(lambda);
+    float rise = tz_step * sg_erf_step(k * lambda * z + 0.5 * c * tz_step, c * tz_step)
+        - ratio * t_step * sg_erf_step(k * lambda + 0.5 * c * t_step, c * t_step);
+    // (T3 R3 - T R)/c = (T3 - T) R/c + T3 (R3 - R)/c
+    float tanh_step = 0.5 * d * (1.0 - step * step * 0.0833333333333333333) * (1.0 - tanh1 * tanh3);
+    float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
+    float bias3 = tanh1 * ratio + c * bias_step;
+    float value = max(0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step), 0.0);
+    return v <= 1.0e-37 ? alpha * sg_expm1(c * max(z, 0.0)) : value;
+}
+
+// sg_A_h_tokuyoshi_2022_minimax returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_tokuyoshi_2022_minimax(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_tokuyoshi_2022_minimax(lambda, cos_theta), lambda);
+}
+
+// tokuyoshi_2022_refit: Hemispherical Gaussians, error function, least squares (refit, 2026).
+// sg_L_tokuyoshi_2022_refit returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00298 at lambda 5.68, beta 2.224 (cos_theta -0.6079); RMSE 0.000478
+//   double  max 0.00298 at lambda 5.68, beta 2.224 (cos_theta -0.6079); RMSE 0.000478
+// Source: sgfit fit tokuyoshi_2022_refit (fit/recipes/tokuyoshi_2022_refit.json)
+// Made by: sgfit fit tokuyoshi_2022_refit
+// Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error
+// function; the difference in closed form. With c the cosine's sharpness, the hemisphere of a lobe
+// is A/2 (1 + T R), T = tanh(lambda/2), R = erf(t z)/erf(t), and L = alpha/2 (Q (1 + T3 R3) - (1 +
+// T R)), where 3 marks the product and Q = A3 e^sharpness3 / (A e^lambda). alpha c is about 1: each
+// of Q - 1, T3 - T, t3 - t ... is formed divided by c, from sharpness3 - lambda = c (2 lambda z +
+// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0, below which the
+// model itself falls, to -5.1e-4 at (9.1, z = -0.81).
+float sg_L_tokuyoshi_2022_refit(float lambda, float cos_theta)
+{
+    const float cosine_sharpness = 8.456087224148012e-4;
+    const float alpha = 1182.246733967815;
+    const float t_0 = 1.2660831118593925;
+    const float t_1 = 1.727439363099547;
+    const float t_2 = 12.609371901693029;
+    float c = cosine_sharpness;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float sum = lambda + c;
+    float difference = (lambda - c) / sum;
+    float product = sum * sqrt(difference * difference + 2.0 * (lambda / sum) * (c / sum) * (1.0 + z));
+    float d = (lambda * z + 0.5 * c) / (0.5 * product + 0.5 * lambda);
+    float step = c * d;
+    // steepness over sharpness, k, and bend = lambda (k3 - k)/step, in v = 1/(1 + lambda)
+    float v = 1.0 / (1.0 + lambda);
+    float v3 = 1.0 / (1.0 + product);
+    float w = lambda * v;
+    float w3 = product * v3;
+    float below = w * w + v * (t_1 * w + t_2 * v);
+    float below3 = w3 * w3 + v3 * (t_1 * w3 + t_2 * v3);
+    float k = sqrt(v * (0.5 * w + t_0 * v) / below);
+    float k3 = sqrt(v3 * (0.5 * w3 + t_0 * v3) / below3);
+    float turn = (0.5 * t_2 - t_0 * t_1) * v * v3 - t_0 * (w * v3 + w3 * v) - 0.5 * w * w3;
+    float bend = w * v3 * turn / (below * below3 * (k3 + k));
+    // steps of t z and of t, over c
+    float tz_step = k3 + z * d * bend;
+    float t_step = d * (k3 + bend);
+    // at t = 0 R is z; next to it the quotient is that to 1e-9
+    float t = max(k * lambda, 1.0e-4);
+    float ratio = sg_erf(t * z) / sg_erf(t);
+    float small = max(product, 1.0e-4);
+    float tanh3 = sg_tanh_half(product);
+    float tanh1 = sg_tanh_half(lambda);
+    float rise = tz_step * sg_erf_step(k * lambda * z + 0.5 * c * tz_step, c * tz_step)
+        - ratio * t_step * sg_erf_step(k * lambda + 0.5 * c * t_step, c * t_step);
+    // (T3 R3 - T R)/c = (T3 - T) R/c + T3 (R3 - R)/c
+    float tanh_step = 0.5 * d * (1.0 - step * step * 0.0833333333333333333) * (1.0 - tanh1 * tanh3);
+    float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
+    float bias3 = tanh1 * ratio + c * bias_step;
+    float value = max(0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step), 0.0);
+    return v <= 1.0e-37 ? alpha * sg_expm1(c * max(z, 0.0)) : value;
+}
+
+// sg_A_h_tokuyoshi_2022_refit returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_tokuyoshi_2022_refit(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_tokuyoshi_2022_refit(lambda, cos_theta), lambda);
+}
+
+// tokuyoshi_2024_minimax: Planar Gaussian between the poles, minimax (refit, 2026).
+// sg_L_tokuyoshi_2024_minimax returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00119 at lambda 6.158, beta 1.571 (cos_theta 0); RMSE 0.000233
+//   double  max 0.00119 at lambda 6.158, beta 1.571 (cos_theta 0); RMSE 0.000233
+// Source: sgfit fit tokuyoshi_2024_minimax (fit/recipes/tokuyoshi_2024_minimax.json)
+// Made by: sgfit fit tokuyoshi_2024_minimax
+// Form cosine_erf_stable: between the poles by the integral of a planar Gaussian times a clamped
+// plane; L from the start. The steepness is written in v = 1/(1 + lambda), so that no power of
+// lambda overflows, and expm1(y)/t as t expm1(y)/t^2, which is not 0/0 at lambda = 0.
+float sg_L_tokuyoshi_2024_minimax(float lambda, float cos_theta)
+{
+    const float t_a = -0.662857859095474;
+    const float t_b = 18.793952734439696;
+    const float t_c = 0.7530976047835686;
+    const float t_d = 11.938356311433592;
+    const float t_e = 69.81778092207479;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float v = 1.0 / (1.0 + lambda);
+    float w = 1.0 - v;
+    float above = w * w + v * (t_a * w + t_b * v);
+    float below = w * w * w + v * (t_c * w * w + v * (t_d * w + t_e * v));
+    float t = lambda * sqrt(0.5 * v * above / below);
+    float side = (1.0 - z) * (1.0 + z);
+    float bell = exp(-(t * z) * (t * z)) * side * t * sg_one_minus_exp_over(t * t * side);
+    // 1/(2 sqrt(pi))
+    float s = 0.5 * (z * sg_erfc(-t * z) + sg_erfc(t)) + 0.282094791773878143 * bell;
+    float value = max(sg_L_b(lambda) + sg_mean(lambda) * s, 0.0);
+    return v <= 1.0e-37 ? max(z, 0.0) : value;
+}
+
+// sg_A_h_tokuyoshi_2024_minimax returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_tokuyoshi_2024_minimax(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_tokuyoshi_2024_minimax(lambda, cos_theta), lambda);
+}
+
+// tokuyoshi_2024_refit: Planar Gaussian between the poles, least squares (refit, 2026).
+// sg_L_tokuyoshi_2024_refit returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.00122 at lambda 5.915, beta 0.8702 (cos_theta 0.6447); RMSE 0.000193
+//   double  max 0.00122 at lambda 5.915, beta 2.271 (cos_theta -0.6447); RMSE 0.000193
+// Source: sgfit fit tokuyoshi_2024_refit (fit/recipes/tokuyoshi_2024_refit.json)
+// Made by: sgfit fit tokuyoshi_2024_refit
+// Form cosine_erf_stable: between the poles by the integral of a planar Gaussian times a clamped
+// plane; L from the start. The steepness is written in v = 1/(1 + lambda), so that no power of
+// lambda overflows, and expm1(y)/t as t expm1(y)/t^2, which is not 0/0 at lambda = 0.
+float sg_L_tokuyoshi_2024_refit(float lambda, float cos_theta)
+{
+    const float t_a = 2.5590918205240856;
+    const float t_b = 19.903881677887842;
+    const float t_c = 3.956182780692124;
+    const float t_d = 15.611733053042547;
+    const float t_e = 88.0516453926341;
+    float z = clamp(cos_theta, -1.0, 1.0);
+    float v = 1.0 / (1.0 + lambda);
+    float w = 1.0 - v;
+    float above = w * w + v * (t_a * w + t_b * v);
+    float below = w * w * w + v * (t_c * w * w + v * (t_d * w + t_e * v));
+    float t = lambda * sqrt(0.5 * v * above / below);
+    float side = (1.0 - z) * (1.0 + z);
+    float bell = exp(-(t * z) * (t * z)) * side * t * sg_one_minus_exp_over(t * t * side);
+    // 1/(2 sqrt(pi))
+    float s = 0.5 * (z * sg_erfc(-t * z) + sg_erfc(t)) + 0.282094791773878143 * bell;
+    float value = max(sg_L_b(lambda) + sg_mean(lambda) * s, 0.0);
+    return v <= 1.0e-37 ? max(z, 0.0) : value;
+}
+
+// sg_A_h_tokuyoshi_2024_refit returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_tokuyoshi_2024_refit(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_tokuyoshi_2024_refit(lambda, cos_theta), lambda);
 }
 
 // A spherical Gaussian amplitude * exp(sharpness * (dot(w, axis) - 1)). axis: unit length.
