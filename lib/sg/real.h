@@ -153,7 +153,7 @@ SG_INLINE sg_real SG_sign(sg_real x)
 
 /* Marks the loops of the batch functions: compiled for several instruction sets where the
  * loader can choose between them, and always free to be vectorised. */
-#if defined(SG_SIMD)
+#if defined(SG_SIMD) && !defined(__clang__) /* which warns of loops that it leaves scalar */
 #define SG_LOOP _Pragma("omp simd")
 #else
 #define SG_LOOP
