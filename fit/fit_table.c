@@ -117,8 +117,9 @@ static void constant_rows(const constants_set *set, const recipe *r, const recip
             row(r, c->name, c->beside, result->own.coefficients[i], NAN, "as printed in ",
                 c->where);
         for (size_t t = 0; t < r->tried_count && !isnan(published); t++)
-            row(r, c->name, published, result->tried[t].coefficients[i], NAN,
-                "tried: ", r->tried[t].what);
+            if (r->tried[t].coefficients[i].free)
+                row(r, c->name, published, result->tried[t].coefficients[i], NAN,
+                    "tried: ", r->tried[t].what);
     }
 }
 
