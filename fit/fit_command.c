@@ -216,8 +216,9 @@ int fit_command(int argc, char **argv)
         if (list) {
             list_recipes(&run);
             status = BASE_DONE;
-        } else if (base_make_directory(folder) && constants_set_read(&run.constants, folder) &&
-                   check_published(&run)) {
+        } else if (!base_make_directory(folder)) {
+            status = BASE_FAILED; /* a write, not a wrong use */
+        } else if (constants_set_read(&run.constants, folder) && check_published(&run)) {
             status = work(&run, folder, check);
         }
     }

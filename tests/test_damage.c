@@ -125,13 +125,13 @@ static bool read_constants(const char *path)
     (void)path;
     method_list methods;
     buffer out = {0};
-    bool good = constants_read(&methods, constants_folder, &intact);
+    bool good = methods_read(&methods, constants_folder, &intact);
     if (good) {
         emit_methods_inc(&out, &methods);
         emit_registry_inc(&out, &intact, &methods);
     }
     buffer_free(&out);
-    constants_free(&methods);
+    methods_free(&methods);
     return good;
 }
 
