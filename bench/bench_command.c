@@ -38,7 +38,7 @@ static bool is_subject(const char *id)
 
 int bench_command(int argc, char **argv)
 {
-    const char *out = NULL, *counts = NULL, *device = "llvmpipe", *only = NULL;
+    const char *out = NULL, *counts = NULL, *device = "llvmpipe", *only = NULL, *root = NULL;
     bool quick = false;
     const base_usage usage = {
         "bench", "--out DIR [options]",
@@ -54,11 +54,15 @@ int bench_command(int argc, char **argv)
         {"method", BASE_STRING, &only, "ID", "this method alone", NULL},
         {"device", BASE_STRING, &device, "NAME",
          "part of the Vulkan device's name (default: llvmpipe, the software driver)", NULL},
+        {"root", BASE_STRING, &root, "DIR", "the source tree, for the texts that are counted",
+         NULL},
         {"quick", BASE_FLAG, &quick, NULL, "fewer samples", NULL}};
     int status =
         base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options, NULL);
     if (status >= 0)
         return status;
+    if (root)
+        base_set_source_root(root);
     if (!out && !counts) {
         base_error("bench: expected --out DIR or --counts FILE");
         return BASE_USAGE;
