@@ -126,10 +126,10 @@ static void A_h_and_H(void **state)
 {
     (void)state;
     static const quantity all[] = {
-        {"A_h", sg_A_h, sgfit_certified_A_h, false, 1200, false},
-        {"A_h_cos", sg_A_h_cos, sgfit_certified_A_h_cos, true, 400, false},
-        {"H", sg_H, sgfit_certified_H, false, 1200, false},
-        {"H_cos", sg_H_cos, sgfit_certified_H_cos, true, 400, false},
+        {"A_h", sg_A_h, sgfit_certified_A_h, false, 1000, false},
+        {"A_h_cos", sg_A_h_cos, sgfit_certified_A_h_cos, true, 200, false},
+        {"H", sg_H, sgfit_certified_H, false, 1000, false},
+        {"H_cos", sg_H_cos, sgfit_certified_H_cos, true, 200, false},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         check(&all[i]);
@@ -139,12 +139,12 @@ static void what_follows_from_them(void **state)
 {
     (void)state;
     static const quantity all[] = {
-        {"L", sg_L, sgfit_certified_L, false, 150, false},
-        {"L_cos", sg_L_cos, sgfit_certified_L_cos, true, 150, false},
-        {"c", sg_c, sgfit_certified_c, false, 150, false},
-        {"c_cos", sg_c_cos, sgfit_certified_c_cos, true, 150, false},
-        {"s", sg_s, sgfit_certified_s, false, 150, true},
-        {"s_cos", sg_s_cos, sgfit_certified_s_cos, true, 150, true},
+        {"L", sg_L, sgfit_certified_L, false, 60, false},
+        {"L_cos", sg_L_cos, sgfit_certified_L_cos, true, 60, false},
+        {"c", sg_c, sgfit_certified_c, false, 60, false},
+        {"c_cos", sg_c_cos, sgfit_certified_c_cos, true, 60, false},
+        {"s", sg_s, sgfit_certified_s, false, 60, true},
+        {"s_cos", sg_s_cos, sgfit_certified_s_cos, true, 60, true},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         check(&all[i]);
