@@ -1,6 +1,7 @@
 /* real.h: what the generated form texts (tables/out/forms.inc) mean at one precision.
  *
- * Private to the methods_*.c units. A unit defines SG_PRECISION (64, 32 or 16) and includes this:
+ * Private to the methods_*.c units and bench/stability_long.c. A unit defines SG_PRECISION (64, 32,
+ * 16, or 80 for long double) and includes this:
  *   SG_REAL     the type that `real` of a form stands for
  *   SG_K(x)     the literal x in that type
  *   SG_NAME(x)  the name x with the precision's suffix
@@ -30,8 +31,12 @@ typedef _Float16 sg_real;
 #define SG_SUFFIX     _f16
 /* In half the C library's float function, rounded: correctly rounded but for rare ties. */
 #define SG_LIBM(name) name##f
+#elif SG_PRECISION == 80
+typedef long double sg_real;
+#define SG_SUFFIX     _f80
+#define SG_LIBM(name) name##l
 #else
-#error "SG_PRECISION is 64, 32 or 16"
+#error "SG_PRECISION is 80, 64, 32 or 16"
 #endif
 
 #define SG_REAL    sg_real
@@ -84,7 +89,7 @@ SG_FUNCTION_1(abs, fabs)
 /* Where the result would be below the smallest normal number it is 0 (but in half), as on devices
  * that flush denormals: there the vector library falls back to single calls, twenty times slower,
  * and a sharp lobe is mostly such places. NaN passes the comparison and stays. */
-#if SG_PRECISION == 64
+#if SG_PRECISION >= 64
 #define SG_EXP_MIN  -708.39
 #define SG_EXP2_MIN -1022.0
 #elif SG_PRECISION == 32
@@ -109,18 +114,18 @@ SG_INLINE sg_real SG_exp2(sg_real x)
 }
 #endif
 
-/* What may stand in for a helper (`// double: NAME`): the C library's, in the double unit, kept
+/* What may stand in for a helper (`// double: NAME`): the C library's, in double and wider, kept
  * to the arguments that its vector version serves without falling back. */
-#if SG_PRECISION == 64
+#if SG_PRECISION >= 64
 SG_FUNCTION_1(erf, erf)
 SG_INLINE sg_real SG_expm1(sg_real x)
 {
-    return expm1(x < -50.0 ? -50.0 : x); /* -1 from there on */
+    return SG_LIBM(expm1)(x < SG_K(-50.0) ? SG_K(-50.0) : x); /* -1 from there on */
 }
 SG_INLINE sg_real SG_erfc(sg_real x)
 {
-    double value = erfc(x > 26.5 ? 26.5 : x);
-    return x > 26.5 ? 0.0 : value; /* below 1e-307 */
+    sg_real value = SG_LIBM(erfc)(x > SG_K(26.5) ? SG_K(26.5) : x);
+    return x > SG_K(26.5) ? SG_K(0.0) : value; /* below 1e-307 */
 }
 #endif
 
