@@ -8,7 +8,7 @@
 /* g = 2 pi e^-lambda (I0(x) - I1(x)/x), x = lambda sin(beta) */
 static double source(double lambda, double beta)
 {
-    double x = lambda * sin(beta);
+    double x = fmax(lambda * sin(beta), 0.0); /* the last stage may round to beyond pi */
     return SG_TWO_PI * exp(x - lambda) * sg_bessel_even_scaled(x);
 }
 
