@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "page.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -171,28 +172,50 @@ static void write_index(page *page, FILE *out)
     fputs("</body>\n</html>\n", out);
 }
 
-static bool write_one(const char *folder, const char *name, const char *data, size_t size)
+/* Opens the output and hands all of its bytes to the system, but does not put it into place. */
+static bool begin_one(base_output *output, const char *folder, const char *name, const char *data,
+                      size_t size)
 {
     char *path = base_join(folder, name);
     char *slash = strrchr(path, '/');
     *slash = '\0';
     bool done = base_make_directory(path);
     *slash = '/';
-    done = done && base_write_file(path, data, size);
+    done = done && base_output_open(output, path);
+    if (done && (fwrite(data, 1, size, output->stream) != size || fflush(output->stream) != 0)) {
+        base_error("%s: cannot be written: %s", path, strerror(errno));
+        base_output_discard(output);
+        done = false;
+    }
     free(path);
     return done;
 }
 
+/* All files are written beside their places first and put there after the last one stood: a disk
+ * that fills up leaves an earlier report as it was. */
 bool page_write(page *page, const char *folder, const char *index_name)
 {
-    for (size_t i = 0; i < page->files; i++)
-        if (!write_one(folder, page->file[i].name, page->file[i].data, page->file[i].size))
-            return false;
     memory index = {0};
     open_memory(&index);
     write_index(page, index.stream);
     fflush(index.stream);
-    bool done = write_one(folder, index_name, index.text, index.size);
+    base_output *outputs = needed(calloc(page->files + 1, sizeof *outputs));
+    size_t begun = 0;
+    bool done = true;
+    while (done && begun <= page->files) {
+        bool last = begun == page->files;
+        const bytes *file = last ? NULL : &page->file[begun];
+        done = last ? begin_one(&outputs[begun], folder, index_name, index.text, index.size)
+                    : begin_one(&outputs[begun], folder, file->name, file->data, file->size);
+        begun += done;
+    }
+    for (size_t i = 0; i < begun; i++) {
+        if (done)
+            done = base_output_close(&outputs[i]);
+        else
+            base_output_discard(&outputs[i]);
+    }
+    free(outputs);
     close_memory(&index);
     return done;
 }

@@ -1,5 +1,5 @@
 /* page.h: one self-contained HTML page and the files beside it, kept in memory until all of it is
- * there, then written file by file, each whole; the page itself last. */
+ * there, then written at once. */
 #ifndef BENCH_PAGE_H
 #define BENCH_PAGE_H
 
@@ -28,7 +28,8 @@ void page_file_end(page *page);
 void page_style(page *page, const char *text, size_t size);
 void page_script(page *page, const char *text, size_t size);
 
-/* Writes everything into folder as index_name and the files; false after one line. */
+/* Writes everything into folder, the page as index_name and the files beside it: all of them, or,
+ * where one cannot be written, none. False after one line. */
 bool page_write(page *page, const char *folder, const char *index_name);
 
 #endif

@@ -65,7 +65,8 @@ int report_our_colour(size_t i);
  * difference that their recipe promises. False after one line. report_constants.c */
 bool report_fit_tally(size_t *constants, size_t *met);
 
-/* The published method that this one's id continues ("ID_refit"); NULL where there is none. */
+/* The published method that this one continues, by its id ("ID_refit") or by its form; NULL where
+ * there is none. */
 const sg_method *report_published(const sg_method *method);
 
 /* "id" of a published model's stable form is shown without its ending; else the id. */

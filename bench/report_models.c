@@ -10,8 +10,11 @@ static bool is(const sg_method *method, const char *variant)
     return strcmp(method->variant, variant) == 0;
 }
 
-/* The published id that a method's id continues: the longest, so that meder_2018_hg_refit belongs
- * to meder_2018_hg and not to meder_2018. */
+/* Forms of ours that keep the structure of a published model under another name. */
+static const char *const continuations[][2] = {{"logistic_limits", "meder_2018"}};
+
+/* The longest published id that the method's continues, so that meder_2018_hg_refit belongs to
+ * meder_2018_hg and not to meder_2018. */
 const sg_method *report_published(const sg_method *method)
 {
     const sg_method *best = NULL;
@@ -24,6 +27,9 @@ const sg_method *report_published(const sg_method *method)
             length = n;
         }
     }
+    for (size_t i = 0; !best && i < sizeof continuations / sizeof *continuations; i++)
+        if (strcmp(method->form->id, continuations[i][0]) == 0)
+            best = sg_method_find(continuations[i][1]);
     return best;
 }
 

@@ -1,5 +1,4 @@
-/* test_report.c: `sgfit report` as its readers meet it: the files, the page, and what happens where
- * it cannot be written or drawn. */
+/* test_report.c: `sgfit report` as its readers meet it: the files and the page. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -229,49 +228,6 @@ static void each_section_is_in_the_navigation(void **state)
     assert_true(sections >= 10);
 }
 
-/* One line on standard error, the given status, nothing on standard output. */
-static void assert_refused(const char *const *arguments, int status, const char *names)
-{
-    run r = program_run(arguments, NULL);
-    assert_int_equal(r.status, status);
-    assert_int_equal(r.out_size, 0);
-    const char *end = strchr(r.error, '\n');
-    if (!end || end[1] || !strstr(r.error, names))
-        fail_msg("expected one line that names %s: %s", names, r.error);
-    run_free(&r);
-}
-
-static void a_folder_that_cannot_be_written_is_named(void **state)
-{
-    (void)state;
-    char file[128], below[160];
-    snprintf(file, sizeof file, "%s/a_file", folder);
-    assert_true(base_write_file(file, "kept", 4));
-    snprintf(below, sizeof below, "%s/report", file);
-    assert_refused((const char *[]){"report", "--out", below, NULL}, 1, "a_file");
-    assert_refused((const char *[]){"report", "--out", file, NULL}, 1, "a_file");
-    char *kept = base_read_file(file, &(size_t){0});
-    assert_string_equal(kept, "kept");
-    free(kept);
-    assert_refused((const char *[]){"report", NULL}, 2, "--out");
-    assert_refused((const char *[]){"report", "--out", file, "--colour", NULL}, 2, "--colour");
-}
-
-static void without_gnuplot_nothing_is_written(void **state)
-{
-    (void)state;
-    char bare[128];
-    snprintf(bare, sizeof bare, "%s/bare", folder);
-    char *path = strdup(getenv("PATH"));
-    setenv("PATH", folder, 1);
-    assert_refused((const char *[]){"report", "--out", bare, NULL}, 1, "gnuplot");
-    setenv("PATH", path, 1);
-    free(path);
-    rmdir(bare); /* made or not, it is empty */
-    struct stat about;
-    assert_int_not_equal(stat(bare, &about), 0);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -281,8 +237,6 @@ int main(void)
         cmocka_unit_test(every_link_leads_somewhere),
         cmocka_unit_test(the_papers_figures_are_drawn),
         cmocka_unit_test(each_section_is_in_the_navigation),
-        cmocka_unit_test(a_folder_that_cannot_be_written_is_named),
-        cmocka_unit_test(without_gnuplot_nothing_is_written),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

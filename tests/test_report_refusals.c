@@ -1,0 +1,125 @@
+/* test_report_refusals.c: `sgfit report` where its report cannot be written or drawn: one line that
+ * names the place, the exit status, and an earlier report as it was. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include <ftw.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include "base/file.h"
+#include "program.h"
+
+static char folder[] = "/tmp/sgfit_refusals_XXXXXX";
+
+static int set_up(void **state)
+{
+    (void)state;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_one(const char *path, const struct stat *about, int type, struct FTW *walk)
+{
+    (void)about;
+    (void)type;
+    (void)walk;
+    return remove(path);
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    return nftw(folder, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+}
+
+/* One line on standard error, the given status, nothing on standard output. */
+static void assert_refused(const char *const *arguments, int status, const char *names)
+{
+    run r = program_run(arguments, NULL);
+    assert_int_equal(r.status, status);
+    assert_int_equal(r.out_size, 0);
+    const char *end = strchr(r.error, '\n');
+    if (!end || end[1] || !strstr(r.error, names))
+        fail_msg("expected one line that names %s: %s", names, r.error);
+    run_free(&r);
+}
+
+static void a_folder_that_cannot_be_written_is_named(void **state)
+{
+    (void)state;
+    char file[128], below[160];
+    snprintf(file, sizeof file, "%s/a_file", folder);
+    assert_true(base_write_file(file, "kept", 4));
+    snprintf(below, sizeof below, "%s/report", file);
+    assert_refused((const char *[]){"report", "--out", below, NULL}, 1, "a_file");
+    assert_refused((const char *[]){"report", "--out", file, NULL}, 1, "a_file");
+    char *kept = base_read_file(file, &(size_t){0});
+    assert_string_equal(kept, "kept");
+    free(kept);
+    assert_refused((const char *[]){"report", NULL}, 2, "--out");
+    assert_refused((const char *[]){"report", "--out", file, "--colour", NULL}, 2, "--colour");
+}
+
+/* The page is larger than files may be here; what was begun before it is taken back. */
+static void where_the_disk_is_full_an_earlier_report_stays(void **state)
+{
+    (void)state;
+    char target[128], path[160];
+    snprintf(target, sizeof target, "%s/full", folder);
+    snprintf(path, sizeof path, "%s/accuracy.csv", target);
+    assert_true(base_make_directory(target) && base_write_file(path, "kept", 4));
+    struct rlimit limit, small;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    small = limit;
+    small.rlim_cur = 256 * 1024;
+    signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    run r = program_run((const char *[]){"report", "--out", target, NULL}, NULL);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    signal(SIGXFSZ, SIG_DFL);
+    assert_int_equal(r.status, 1);
+    const char *end = strchr(r.error, '\n');
+    if (!end || end[1] || !strstr(r.error, "index.html"))
+        fail_msg("expected one line that names index.html: %s", r.error);
+    run_free(&r);
+    char *kept = base_read_file(path, &(size_t){0});
+    assert_string_equal(kept, "kept");
+    free(kept);
+    char **names;
+    size_t count;
+    char data[160];
+    snprintf(data, sizeof data, "%s/data", target);
+    assert_true(base_list(data, "", &names, &count));
+    assert_int_equal(count, 0);
+    base_list_free(names, count);
+}
+
+static void without_gnuplot_nothing_is_written(void **state)
+{
+    (void)state;
+    char bare[128];
+    snprintf(bare, sizeof bare, "%s/bare", folder);
+    char *path = strdup(getenv("PATH"));
+    setenv("PATH", folder, 1);
+    assert_refused((const char *[]){"report", "--out", bare, NULL}, 1, "gnuplot");
+    setenv("PATH", path, 1);
+    free(path);
+    rmdir(bare); /* made or not, it is empty */
+    struct stat about;
+    assert_int_not_equal(stat(bare, &about), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_folder_that_cannot_be_written_is_named),
+        cmocka_unit_test(where_the_disk_is_full_an_earlier_report_stays),
+        cmocka_unit_test(without_gnuplot_nothing_is_written),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
