@@ -123,7 +123,7 @@ static cJSON *new_file(const recipe *r, const recipe_result *result)
     snprintf(source, sizeof source, "sgfit fit %s (fit/recipes/%s.json)", r->id, r->id);
     cJSON_AddStringToObject(file, "id", r->writes);
     cJSON_AddStringToObject(file, "title", r->writes_title);
-    cJSON_AddStringToObject(file, "variant", "refit");
+    cJSON_AddStringToObject(file, "variant", r->writes_variant);
     base_json_add_f64(file, "year", (double)r->writes_year);
     cJSON_AddStringToObject(file, "source", source);
     cJSON_AddStringToObject(file, "form", r->form->id);

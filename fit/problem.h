@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-enum { FIT_MOST_PARAMETERS = 32 };
+enum { FIT_MOST_PARAMETERS = 64 };
 
 /* Values of the model at count samples. Must be re-entrant. */
 typedef void (*fit_model)(const void *context, const double *parameters, size_t count,

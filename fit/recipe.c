@@ -166,7 +166,7 @@ static bool read_published(recipe *r)
 
 static bool read_writes(recipe *r)
 {
-    static const char *const keys[] = {"id", "title", "year", NULL};
+    static const char *const keys[] = {"id", "title", "year", "variant", NULL};
     const cJSON *writes = get(r, "writes");
     double year;
     if (!writes)
@@ -177,6 +177,15 @@ static bool read_writes(recipe *r)
         !base_json_f64(writes, r->path, "year", &year))
         return false;
     r->writes_year = (int)year;
+    r->writes_variant = "refit";
+    if (cJSON_GetObjectItemCaseSensitive(writes, "variant") &&
+        !base_json_string(writes, r->path, "variant", &r->writes_variant))
+        return false;
+    if (strcmp(r->writes_variant, "refit") != 0 && strcmp(r->writes_variant, "tier") != 0) {
+        base_error("%s: key \"writes.variant\": expected \"refit\" or \"tier\", found \"%.60s\"",
+                   r->path, r->writes_variant);
+        return false;
+    }
     if (strspn(r->writes, "abcdefghijklmnopqrstuvwxyz0123456789_") != strlen(r->writes) ||
         !*r->writes) {
         base_error("%s: key \"writes.id\": expected small letters, digits and _, found \"%.60s\"",

@@ -26,7 +26,8 @@
  *              a constant, shown beside the one in the method's file
  * tried        [{"what": text, and any of domain, grid, weights, objective, quantity, start,
  *               fixed}]: other ways to the same constants, shown beside the result
- * writes       {"id": ID, "title": text, "year": number}: a new constants file
+ * writes       {"id": ID, "title": text, "year": number}: a new constants file; "variant" of it may
+ *              be given, "refit" (default) or "tier"
  * bars         {"rmse", "max_abs", "rmse_f32", "max_abs_f32"}: largest errors of L that are
  *              accepted, by the score
  * note         text, kept with the result
@@ -99,7 +100,7 @@ typedef struct recipe {
     recipe_way *tried;
     size_t tried_count;
     const char *published; /* method, or NULL */
-    const char *writes, *writes_title;
+    const char *writes, *writes_title, *writes_variant;
     int writes_year;
     double bar_rmse, bar_max, bar_rmse_f32, bar_max_f32; /* infinite where none is given */
 } recipe;
