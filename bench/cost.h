@@ -25,7 +25,9 @@ typedef struct cost_subject {
     char *id;
     sg_quantity quantity;
     const sg_method *method; /* NULL for a table */
-    char *glsl;              /* float f(float lambda, float cos_theta) and what it needs */
+    char *glsl;              /* float f(float lambda, float cos_theta) and what it needs; of a
+                                published method as its authors ship it (cost_peers.c) */
+    char *include;           /* the same as sg.glsl has it, where that differs; else NULL */
     cost_texture texture;    /* at binding 2 of set 0; texels NULL: none */
     int fetches;
 } cost_subject;
@@ -38,8 +40,9 @@ typedef struct cost_subjects {
 /* cost_subjects.c: every method of the registry, with its shader text as `sgfit emit` writes it
  * from the source tree. only: that id alone, or NULL. False after one line. */
 bool cost_subjects_read(cost_subjects *subjects, const char *only);
-/* cost_peers.c: puts the helpers of bench/peers in the place of ours, in a text as emitted. */
-bool cost_as_shipped(char **glsl);
+/* cost_peers.c: a copy of a text as emitted, with the helpers of bench/peers in the place of ours.
+ * NULL after one line. */
+char *cost_as_shipped(const char *glsl);
 void cost_subjects_free(cost_subjects *subjects);
 /* cost_tables.c: the look-up tables among the subjects; forms: for the helpers that they need. */
 struct form_list;
@@ -137,6 +140,7 @@ typedef struct cost_row {
     double max_abs_f32,
         rmse_f32; /* of L on the grid of fit/score.h; A_h: of A_h over the exact A */
     cost_count counts[COST_FAMILIES];
+    cost_count include; /* the first family, of the text in sg.glsl */
     cost_time f32, f64, batch_f32, batch_f64;
     double device_ratio;
 } cost_row;

@@ -97,8 +97,12 @@ static bool count_all(cost_table *table, base_progress *progress)
         for (size_t i = 0; i < table->subjects.count && good; i++) {
             const cost_subject *subject = &table->subjects.list[i];
             base_progress_step(progress, subject->id);
-            good = cost_counter_run(counter, subject->id, subject->glsl,
-                                    &table->rows[i].counts[family]);
+            cost_row *row = &table->rows[i];
+            good = cost_counter_run(counter, subject->id, subject->glsl, &row->counts[family]);
+            if (family == 0)
+                row->include = row->counts[0];
+            if (good && family == 0 && subject->include)
+                good = cost_counter_run(counter, subject->id, subject->include, &row->include);
         }
         cost_counter_close(counter);
     }
@@ -169,6 +173,7 @@ bool cost_measure(cost_table *table, const cost_options *options)
                           .batch_f32 = unknown_time,
                           .batch_f64 = unknown_time,
                           .device_ratio = (double)NAN};
+        row->include = cost_unknown;
         for (int family = 0; family < COST_FAMILIES; family++)
             row->counts[family] = cost_unknown;
     }

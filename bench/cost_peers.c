@@ -40,21 +40,23 @@ static bool replace(buffer *peers, char *text, const char *folder, const char *f
     return true;
 }
 
-bool cost_as_shipped(char **glsl)
+char *cost_as_shipped(const char *glsl)
 {
     char **files;
     size_t count;
     char *folder = base_join(base_source_root(), "bench/peers");
+    char *ours = tables_copy(glsl, strlen(glsl));
+    buffer text = {0};
     bool good = base_list(folder, ".glsl", &files, &count);
     if (good) {
-        buffer text = {0};
         for (size_t i = 0; i < count && good; i++)
-            good = replace(&text, *glsl, folder, files[i]);
-        buffer_add(&text, *glsl);
-        free(*glsl);
-        *glsl = text.text;
+            good = replace(&text, ours, folder, files[i]);
+        buffer_add(&text, ours);
         base_list_free(files, count);
     }
+    if (!good)
+        buffer_free(&text);
+    free(ours);
     free(folder);
-    return good;
+    return text.text;
 }

@@ -31,8 +31,6 @@ static char *method_text(const form_list *forms, const method_list *methods, con
                  "float f(float lambda, float cos_theta)\n{\n    return sg_%s_%s(lambda, "
                  "cos_theta);\n}\n",
                  cost_quantity_name(quantity), id);
-    if (strcmp(only->variant, "published") == 0 && !cost_as_shipped(&text.text))
-        buffer_free(&text);
     return text.text;
 }
 
@@ -55,10 +53,17 @@ static bool add_methods(cost_subjects *subjects, const form_list *forms, const m
             char *glsl = method_text(forms, methods, method->id, quantities[j]);
             if (!glsl)
                 return false;
-            add(subjects, (cost_subject){.id = tables_copy(method->id, strlen(method->id)),
-                                         .quantity = quantities[j],
-                                         .method = method,
-                                         .glsl = glsl});
+            cost_subject subject = {.id = tables_copy(method->id, strlen(method->id)),
+                                    .quantity = quantities[j],
+                                    .method = method,
+                                    .glsl = glsl};
+            if (strcmp(method->variant, "published") == 0) {
+                subject.include = glsl;
+                subject.glsl = cost_as_shipped(glsl);
+            }
+            add(subjects, subject);
+            if (!subject.glsl)
+                return false;
         }
     }
     return true;
@@ -107,6 +112,7 @@ void cost_subjects_free(cost_subjects *subjects)
     for (size_t i = 0; i < subjects->count; i++) {
         free(subjects->list[i].id);
         free(subjects->list[i].glsl);
+        free(subjects->list[i].include);
         free(subjects->list[i].texture.texels);
     }
     free(subjects->list);

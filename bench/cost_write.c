@@ -28,6 +28,9 @@ COLUMN(rmse_f32, row->rmse_f32)
 COLUMN(gpu_instructions, row->counts[0].instructions)
 COLUMN(gpu_inverse_throughput, row->counts[0].inverse_throughput)
 COLUMN(gpu_slope, row->counts[0].slope)
+COLUMN(gpu_include_instructions, row->include.instructions)
+COLUMN(gpu_include_inverse_throughput, row->include.inverse_throughput)
+COLUMN(gpu_include_slope, row->include.slope)
 COLUMN(gpu_slope_instructions, row->counts[0].slope_instructions)
 COLUMN(gpu_vgprs, row->counts[0].vgprs)
 COLUMN(gpu_fetches, (double)row->subject->fetches)
@@ -63,6 +66,9 @@ static const column columns[] = {
     ROW(cpu_batch_ns_f32, false),
     ROW(cpu_batch_ns_f64, false),
     ROW(device_ratio, false),
+    ROW(gpu_include_instructions, true),
+    ROW(gpu_include_inverse_throughput, true),
+    ROW(gpu_include_slope, true),
     ROW(gpu_slope_instructions, true),
     ROW(gpu_vgprs, true),
     ROW(gpu_fetches, true),
