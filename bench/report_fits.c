@@ -19,15 +19,18 @@ static void describe(const cJSON *entry, char *text, size_t size)
     const cJSON *weights = cJSON_GetObjectItemCaseSensitive(entry, "weights");
     const char *spacing =
         report_constants_text(cJSON_GetObjectItemCaseSensitive(grid, "lambda"), "spacing");
-    char number[4][HTML_NUMBER_SIZE], weight[64] = "";
-    if (cJSON_IsObject(weights))
-        snprintf(weight, sizeof weight, ", weight λ^%s",
-                 html_number(report_constants_number(weights, "lambda"), 2, number[2]));
     const cJSON *low = cJSON_GetArrayItem(lambda, 0), *high = cJSON_GetArrayItem(lambda, 1);
-    snprintf(text, size, "%s; λ from %s to %s%s%s%s", report_constants_text(entry, "objective"),
-             html_number(cJSON_IsNumber(low) ? low->valuedouble : (double)NAN, 2, number[0]),
-             html_number(cJSON_IsNumber(high) ? high->valuedouble : (double)INFINITY, 2, number[1]),
-             *spacing ? ", spacing " : "", spacing, weight);
+    double by_lambda = report_constants_number(weights, "lambda");
+    double by_value = report_constants_number(weights, "value");
+    char power[64] = "";
+    if (fabs(by_lambda) > 0.0)
+        snprintf(power, sizeof power, ", weight λ^%g", by_lambda);
+    else if (fabs(by_value) > 0.0)
+        snprintf(power, sizeof power, ", weight value^%g", by_value);
+    snprintf(text, size, "%s; λ from %g to %g%s%s%s", report_constants_text(entry, "objective"),
+             cJSON_IsNumber(low) ? low->valuedouble : (double)NAN,
+             cJSON_IsNumber(high) ? high->valuedouble : (double)INFINITY,
+             *spacing ? ", spacing " : "", spacing, power);
     for (char *c = text; *c; c++)
         *c = *c == '_' ? ' ' : *c;
 }
@@ -134,6 +137,9 @@ static void write_tried(report *report, const report_constants *c)
             cJSON_ArrayForEach(attempt, cJSON_GetObjectItemCaseSensitive(recipe, "tried"))
             {
                 if (!any)
+                    fputs("<details>\n<summary>Other ways that were tried</summary>\n",
+                          page_html(page));
+                if (!any)
                     html_table_begin(page,
                                      "Other ways that were tried to reach the published "
                                      "constants, and what they give.",
@@ -144,8 +150,10 @@ static void write_tried(report *report, const report_constants *c)
             }
         }
     }
-    if (any)
+    if (any) {
         html_table_end(page, NULL);
+        fputs("</details>\n", page_html(page));
+    }
     for (size_t i = 0; i < c->count; i++) {
         const cJSON *recipe;
         cJSON_ArrayForEach(recipe, cJSON_GetObjectItemCaseSensitive(c->files[i], "regenerated"))
@@ -229,11 +237,12 @@ bool report_fits(report *report)
     report_constants c;
     bool done = report_constants_read(&c);
     if (done) {
-        html_paragraph(report->page,
-                       "The recipes in `fit/recipes` start from nothing but the integral. Each is "
-                       "solved by Ceres and by NLopt, which must agree; the result is scored with "
-                       "the reference. “Allowed” is the relative difference that a recipe promises "
-                       "at most.");
+        html_paragraph(
+            report->page,
+            "The recipes in `fit/recipes` start from nothing but the integral. Each fit "
+            "is solved by Ceres and by NLopt, which must agree; the result is scored with "
+            "the reference. “Allowed” is the relative difference that a recipe promises "
+            "at most.");
         tally tally = write_regenerated(report, &c);
         html_paragraph(report->page,
                        "%zu published constants were fitted again; %zu lie within "
