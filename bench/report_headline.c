@@ -6,9 +6,11 @@
 #include "html.h"
 #include "report.h"
 
+/* On the page, and as a line on standard output. */
 static void tile(page *page, const char *figure, const char *text)
 {
     FILE *out = page_html(page);
+    printf("%-14s %s\n", figure, text);
     fputs("<li><b>", out);
     html_text(out, figure);
     fputs("</b><span>", out);
