@@ -35,6 +35,16 @@ void fit_problem_normalise(fit_problem *problem)
         problem->scale[i] *= factor;
 }
 
+/* The raised residual; *slope, where wanted, what a derivative of the residual is multiplied by. */
+static double raised(const fit_problem *problem, double residual, double *slope)
+{
+    double half = 0.5 * problem->power, part = fabs(residual) / problem->unit;
+    double below = pow(part, half - 1.0);
+    if (slope)
+        *slope = half * below / problem->unit;
+    return copysign(below * part, residual);
+}
+
 bool fit_residuals(const fit_problem *problem, const double *parameters, double *residuals)
 {
     problem->model(problem->context, parameters, problem->sample_count, problem->lambda,
@@ -42,9 +52,25 @@ bool fit_residuals(const fit_problem *problem, const double *parameters, double 
     bool finite = true;
     for (size_t i = 0; i < problem->sample_count; i++) {
         residuals[i] = problem->scale[i] * (residuals[i] - problem->target[i]);
+        if (problem->power > 2.0)
+            residuals[i] = raised(problem, residuals[i], NULL);
         finite = finite && isfinite(residuals[i]);
     }
     return finite;
+}
+
+/* The columns of plain residuals become those of raised ones. */
+static void raise_jacobian(const fit_problem *problem, const double *parameters, double *jacobian,
+                           double *work)
+{
+    size_t n = problem->sample_count;
+    problem->model(problem->context, parameters, n, problem->lambda, problem->cos_theta, work);
+    for (size_t i = 0; i < n; i++) {
+        double slope;
+        raised(problem, problem->scale[i] * (work[i] - problem->target[i]), &slope);
+        for (size_t j = 0; j < problem->parameter_count; j++)
+            jacobian[j * n + i] *= slope;
+    }
 }
 
 bool fit_jacobian(const fit_problem *problem, const double *parameters, double *jacobian,
@@ -71,6 +97,8 @@ bool fit_jacobian(const fit_problem *problem, const double *parameters, double *
             finite = finite && isfinite(column[i]);
         }
     }
+    if (problem->power > 2.0)
+        raise_jacobian(problem, parameters, jacobian, work);
     return finite;
 }
 

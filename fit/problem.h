@@ -26,6 +26,10 @@ typedef struct fit_problem {
     size_t parameter_count; /* at most FIT_MOST_PARAMETERS */
     double start[FIT_MOST_PARAMETERS];
     double lower[FIT_MOST_PARAMETERS], upper[FIT_MOST_PARAMETERS]; /* infinite where free */
+    /* Above 2: residuals are raised, sign kept, so that least squares makes the sum of
+     * |residual / unit|^power small, which between least squares and minimax leads from the one to
+     * the other. 0: as they are. */
+    double power, unit;
     fit_model model;
     const void *context;
 } fit_problem;

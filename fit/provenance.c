@@ -30,11 +30,17 @@ static void add_domain(cJSON *object, const recipe *r, const recipe_way *way)
     cJSON *grid = cJSON_AddObjectToObject(object, "grid");
     add_axis(grid, "lambda", &way->lambda);
     add_axis(grid, "angle", &way->angle);
-    if (way->weight_lambda == 0.0 && way->weight_value == 0.0) {
+    if (way->weight_lambda == 0.0 && way->weight_value == 0.0 && way->absolute == 0.0) {
         cJSON_AddStringToObject(object, "weights", "uniform");
         return;
     }
     cJSON *weights = cJSON_AddObjectToObject(object, "weights");
+    if (way->absolute > 0.0) {
+        base_json_add_f64(weights, "absolute", way->absolute);
+        base_json_add_f64(weights, "relative", way->relative);
+        base_json_add_f64(weights, "down_to", way->down_to);
+        return;
+    }
     base_json_add_f64(weights, "lambda", way->weight_lambda);
     base_json_add_f64(weights, "value", way->weight_value);
 }

@@ -11,7 +11,9 @@
  * domain       {"lambda": [from, to], "beta": [from, to] in degrees}
  * grid         {"lambda": {"spacing": "log", "sqrt" or "linear", "count": n},
  *               "angle": {"spacing": "beta" or "cos_theta", "count": n}}
- * weights      "uniform", or {"lambda": p, "value": q}: residuals times lambda^p value^q
+ * weights      "uniform", or {"lambda": p, "value": q}: residuals times lambda^p value^q; or
+ *              {"absolute": a, "relative": r, "down_to": v}, of a form: residuals over what is
+ *              allowed there, a or r times the value, whichever is less; below v not at all
  * objective    "least_squares", "minimax" or "root"
  * start        coefficients that are fitted, and where from
  * fixed        coefficients that are held
@@ -80,6 +82,7 @@ typedef struct recipe_way {
     sg_quantity quantity;
     recipe_axis lambda, angle;
     double weight_lambda, weight_value; /* powers */
+    double absolute, relative, down_to; /* the other kind; absolute is 0 without it */
     recipe_objective objective;
     size_t coefficient_count;
     recipe_coefficient coefficients[FIT_MOST_PARAMETERS];

@@ -75,6 +75,14 @@ static void curve_values(const void *context, const double *parameters, size_t c
 
 /* ---- Samples ------------------------------------------------------------------------------- */
 
+static double weight(const recipe_way *way, double lambda, double value)
+{
+    if (way->absolute > 0.0)
+        return value > way->down_to ? 1.0 / fmin(way->absolute, way->relative * value) : 0.0;
+    return pow(lambda, way->weight_lambda) *
+           (way->weight_value == 0.0 ? 1.0 : pow(value, way->weight_value));
+}
+
 /* Residuals are wanted in the way's quantity, the form computes its own: the scale converts. */
 static bool form_samples(const recipe *r, const recipe_way *way, fit_problem *problem)
 {
@@ -97,8 +105,7 @@ static bool form_samples(const recipe *r, const recipe_way *way, fit_problem *pr
             target[j] /= native;
             problem->lambda[k] = lambda;
             problem->cos_theta[k] = cosine_at(&way->angle, j);
-            problem->scale[k] = native / wanted * pow(lambda, way->weight_lambda) *
-                                (way->weight_value == 0.0 ? 1.0 : pow(value, way->weight_value));
+            problem->scale[k] = native / wanted * weight(way, lambda, value);
         }
     }
     free(beta);

@@ -109,10 +109,24 @@ static bool read_grid(const recipe *r, const cJSON *grid, recipe_way *way)
     return false;
 }
 
+static bool read_allowed(const recipe *r, const cJSON *weights, recipe_way *way)
+{
+    if (!base_json_f64(weights, r->path, "absolute", &way->absolute) ||
+        !base_json_f64(weights, r->path, "relative", &way->relative) ||
+        !base_json_f64(weights, r->path, "down_to", &way->down_to))
+        return false;
+    if (r->form && way->absolute > 0.0 && way->relative > 0.0 && way->down_to >= 0.0)
+        return true;
+    base_error("%s: key \"weights\": expected \"absolute\", \"relative\" and \"down_to\" above 0, "
+               "in a recipe of kind \"form\"",
+               r->path);
+    return false;
+}
+
 static bool read_weights(const recipe *r, const cJSON *weights, recipe_way *way)
 {
-    static const char *const keys[] = {"lambda", "value", NULL};
-    way->weight_lambda = way->weight_value = 0.0;
+    static const char *const keys[] = {"lambda", "value", "absolute", "relative", "down_to", NULL};
+    way->weight_lambda = way->weight_value = way->absolute = way->relative = way->down_to = 0.0;
     if (cJSON_IsString(weights) && strcmp(weights->valuestring, "uniform") == 0)
         return true;
     if (!cJSON_IsObject(weights)) {
@@ -124,7 +138,9 @@ static bool read_weights(const recipe *r, const cJSON *weights, recipe_way *way)
     return base_json_only(weights, r->path, keys) &&
            (!get(weights, "lambda") ||
             base_json_f64(weights, r->path, "lambda", &way->weight_lambda)) &&
-           (!get(weights, "value") || base_json_f64(weights, r->path, "value", &way->weight_value));
+           (!get(weights, "value") ||
+            base_json_f64(weights, r->path, "value", &way->weight_value)) &&
+           (!get(weights, "absolute") || read_allowed(r, weights, way));
 }
 
 /* ---- Coefficients -------------------------------------------------------------------------- */

@@ -30,9 +30,10 @@ typedef struct fit_result {
 void fit_solve_ceres(const fit_problem *problem, const fit_options *options, fit_result *result);
 void fit_solve_nlopt(const fit_problem *problem, const fit_options *options, fit_result *result);
 
-/* Minimax (solve_minimax.c): a least-squares solution first, then rounds of exchange: NLopt's SLSQP
- * minimises the largest residual over a small set of samples, and the samples where the result is
- * still worse than that join the set. Ends when none is, by more than 1e-6 of it. */
+/* Minimax (solve_minimax.c): a least-squares solution first, then powers 4 to 256 of the residuals
+ * by the same solver (fit_problem.power), then rounds of exchange: NLopt's SLSQP minimises the
+ * largest residual over a small set of samples, and the samples where the result is still worse
+ * than that join the set. Ends when none is, by more than 1e-6 of it. */
 void fit_solve_minimax(const fit_problem *problem, const fit_options *options, fit_result *result);
 
 /* One round of it: the largest magnitude over the problem's own samples, few, from start. No

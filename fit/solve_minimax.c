@@ -1,9 +1,10 @@
 /* solve_minimax.c: the largest residual over many samples, made small by exchange.
  *
- * Only the few samples where the error peaks shape a minimax fit. The reference set starts with the
- * peaks of the least-squares solution; NLopt makes the largest residual on it small; the peaks of
- * that fit over all samples join; and so on, until no sample is worse than the set says. The value
- * on the set is a lower bound of what any (local) fit reaches, so the end is an optimum. */
+ * Least squares, then its powers 4 to 256, then exchange. Only the few samples where the error
+ * peaks shape a minimax fit. The reference set starts with the peaks of the least-squares solution;
+ * NLopt makes the largest residual on it small; the peaks of that fit over all samples join; and so
+ * on, until no sample is worse than the set says. The value on the set is a lower bound of what any
+ * (local) fit reaches, so the end is an optimum. */
 #include "solve.h"
 
 #include <math.h>
@@ -127,13 +128,45 @@ static void exchange(const fit_problem *problem, const fit_options *options, ref
     }
 }
 
+/* From least squares towards minimax, by powers of the residuals that double: each is a small step
+ * from the one before, and Ceres finds it where rounds of exchange would not find their way, with
+ * many parameters above all. What is worse by the largest residual is not taken. */
+static void climb(const fit_problem *problem, const fit_options *options, double *residuals,
+                  fit_result *result)
+{
+    size_t m = problem->parameter_count;
+    fit_options each = *options;
+    if (!fit_residuals(problem, result->parameters, residuals))
+        return;
+    double best = fit_largest(problem, residuals, NULL), unit = best;
+    fit_problem power = *problem;
+    memcpy(power.start, result->parameters, sizeof(double) * m);
+    each.most_iterations = options->most_iterations < 60 ? options->most_iterations : 60;
+    for (power.power = 4.0; power.power <= 256.0; power.power *= 2.0) {
+        fit_result step;
+        power.unit = unit;
+        fit_solve_ceres(&power, &each, &step);
+        result->iterations += step.iterations;
+        if (!fit_residuals(problem, step.parameters, residuals))
+            break;
+        memcpy(power.start, step.parameters, sizeof(double) * m);
+        unit = fit_largest(problem, residuals, NULL);
+        if (unit < best) {
+            best = unit;
+            memcpy(result->parameters, step.parameters, sizeof(double) * m);
+        }
+    }
+}
+
 void fit_solve_minimax(const fit_problem *problem, const fit_options *options, fit_result *result)
 {
     reference set;
     double *residuals = malloc(sizeof(double) * (problem->sample_count + 1));
     fit_solve_ceres(problem, options, result);
-    snprintf(result->solver, sizeof result->solver, "NLopt %s SLSQP with exchange, after Ceres",
-             fit_nlopt_version());
+    snprintf(result->solver, sizeof result->solver,
+             "NLopt %s SLSQP with exchange, after Ceres and its powers", fit_nlopt_version());
+    if (residuals && result->usable)
+        climb(problem, options, residuals, result);
     if (reference_begin(&set, problem) && residuals && result->usable)
         exchange(problem, options, &set, residuals, result);
     else
