@@ -75,7 +75,7 @@ void emit_forms_inc(buffer *out, const form_list *forms)
         const form *helper = &forms->helpers[i];
         buffer_print(out, "\n// %s: %s\n", helper->id, helper->about);
         if (helper->c_double) {
-            buffer_add(out, "#if SG_PRECISION == 64\n");
+            buffer_add(out, "#if SG_PRECISION >= 64\n");
             stand_in(out, forms, helper);
             buffer_add(out, "#else\n");
         }

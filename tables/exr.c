@@ -27,11 +27,11 @@ static int64_t into_buffer(exr_const_context_t context, void *user, const void *
     return (int64_t)size;
 }
 
-static exr_result_t write_rows(exr_context_t file, const float *pixels, int width, int height)
+static exr_result_t write_rows(exr_context_t file, const exr_image *image)
 {
     exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
     exr_result_t status = EXR_ERR_SUCCESS;
-    for (int y = 0; status == EXR_ERR_SUCCESS && y < height; y++) {
+    for (int y = 0; status == EXR_ERR_SUCCESS && y < image->height; y++) {
         exr_chunk_info_t chunk;
         status = exr_write_scanline_chunk_info(file, 0, y, &chunk);
         if (status == EXR_ERR_SUCCESS)
@@ -39,12 +39,15 @@ static exr_result_t write_rows(exr_context_t file, const float *pixels, int widt
                             : exr_encoding_update(file, 0, &chunk, &pipeline);
         if (status != EXR_ERR_SUCCESS)
             break;
-        exr_coding_channel_info_t *channel = pipeline.channels;
-        channel->user_bytes_per_element = 4;
-        channel->user_data_type = EXR_PIXEL_FLOAT;
-        channel->user_pixel_stride = 4;
-        channel->user_line_stride = 4 * width;
-        channel->encode_from_ptr = (const uint8_t *)(pixels + (size_t)y * (size_t)width);
+        for (size_t c = 0; c < image->channel_count; c++) {
+            const float *pixels = image->channels[c].pixels;
+            exr_coding_channel_info_t *channel = &pipeline.channels[c];
+            channel->user_bytes_per_element = 4;
+            channel->user_data_type = EXR_PIXEL_FLOAT;
+            channel->user_pixel_stride = 4;
+            channel->user_line_stride = 4 * image->width;
+            channel->encode_from_ptr = (const uint8_t *)(pixels + (size_t)y * (size_t)image->width);
+        }
         if (y == 0)
             status = exr_encoding_choose_default_routines(file, 0, &pipeline);
         if (status == EXR_ERR_SUCCESS)
@@ -54,30 +57,36 @@ static exr_result_t write_rows(exr_context_t file, const float *pixels, int widt
     return status;
 }
 
-bool exr_encode(buffer *out, const float *pixels, int width, int height, bool half,
-                const exr_text *attributes, size_t attribute_count)
+static exr_result_t write_head(exr_context_t file, const exr_image *image)
+{
+    int part = 0;
+    exr_result_t status = exr_add_part(file, NULL, EXR_STORAGE_SCANLINE, &part);
+    if (status == EXR_ERR_SUCCESS)
+        status = exr_initialize_required_attr_simple(file, part, image->width, image->height,
+                                                     image->compressed ? EXR_COMPRESSION_ZIPS
+                                                                       : EXR_COMPRESSION_NONE);
+    for (size_t c = 0; status == EXR_ERR_SUCCESS && c < image->channel_count; c++)
+        status = exr_add_channel(file, part, image->channels[c].name,
+                                 image->half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                                 EXR_PERCEPTUALLY_LINEAR, 1, 1);
+    for (size_t i = 0; status == EXR_ERR_SUCCESS && i < image->attribute_count; i++)
+        status =
+            exr_attr_set_string(file, part, image->attributes[i].name, image->attributes[i].value);
+    return status == EXR_ERR_SUCCESS ? exr_write_header(file) : status;
+}
+
+bool exr_encode(buffer *out, const exr_image *image)
 {
     exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
     setup.error_handler_fn = silent;
     setup.user_data = out;
     setup.write_fn = into_buffer;
     exr_context_t file = NULL;
-    int part = 0;
     exr_result_t status = exr_start_write(&file, "memory", EXR_WRITE_FILE_DIRECTLY, &setup);
     if (status == EXR_ERR_SUCCESS)
-        status = exr_add_part(file, NULL, EXR_STORAGE_SCANLINE, &part);
+        status = write_head(file, image);
     if (status == EXR_ERR_SUCCESS)
-        status =
-            exr_initialize_required_attr_simple(file, part, width, height, EXR_COMPRESSION_NONE);
-    if (status == EXR_ERR_SUCCESS)
-        status = exr_add_channel(file, part, "Y", half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
-                                 EXR_PERCEPTUALLY_LINEAR, 1, 1);
-    for (size_t i = 0; status == EXR_ERR_SUCCESS && i < attribute_count; i++)
-        status = exr_attr_set_string(file, part, attributes[i].name, attributes[i].value);
-    if (status == EXR_ERR_SUCCESS)
-        status = exr_write_header(file);
-    if (status == EXR_ERR_SUCCESS)
-        status = write_rows(file, pixels, width, height);
+        status = write_rows(file, image);
     exr_result_t finished = file ? exr_finish(&file) : EXR_ERR_SUCCESS;
     if (status == EXR_ERR_SUCCESS)
         status = finished;
@@ -86,7 +95,8 @@ bool exr_encode(buffer *out, const float *pixels, int width, int height, bool ha
     return status == EXR_ERR_SUCCESS;
 }
 
-static exr_result_t read_rows(exr_context_t file, float *pixels, int width, int height, int top)
+static exr_result_t read_rows(exr_context_t file, const char *name, float *pixels, int width,
+                              int height, int top)
 {
     exr_decode_pipeline_t pipeline = EXR_DECODE_PIPELINE_INITIALIZER;
     exr_result_t status = EXR_ERR_SUCCESS;
@@ -98,16 +108,24 @@ static exr_result_t read_rows(exr_context_t file, float *pixels, int width, int 
         if (status == EXR_ERR_SUCCESS)
             status = y == 0 ? exr_decoding_initialize(file, 0, &chunk, &pipeline)
                             : exr_decoding_update(file, 0, &chunk, &pipeline);
-        if (status == EXR_ERR_SUCCESS && pipeline.channel_count != 1)
-            status = EXR_ERR_INVALID_ARGUMENT;
         if (status != EXR_ERR_SUCCESS)
             break;
-        exr_coding_channel_info_t *channel = pipeline.channels;
-        channel->user_bytes_per_element = 4;
-        channel->user_data_type = EXR_PIXEL_FLOAT;
-        channel->user_pixel_stride = 4;
-        channel->user_line_stride = 4 * width;
-        channel->decode_to_ptr = (uint8_t *)(pixels + (size_t)y * (size_t)width);
+        exr_coding_channel_info_t *wanted = NULL;
+        for (int16_t c = 0; c < pipeline.channel_count; c++) {
+            exr_coding_channel_info_t *channel = &pipeline.channels[c];
+            channel->decode_to_ptr = NULL; /* not read */
+            if (name ? strcmp(channel->channel_name, name) == 0 : pipeline.channel_count == 1)
+                wanted = channel;
+        }
+        if (!wanted) {
+            status = EXR_ERR_INVALID_ARGUMENT;
+            break;
+        }
+        wanted->user_bytes_per_element = 4;
+        wanted->user_data_type = EXR_PIXEL_FLOAT;
+        wanted->user_pixel_stride = 4;
+        wanted->user_line_stride = 4 * width;
+        wanted->decode_to_ptr = (uint8_t *)(pixels + (size_t)y * (size_t)width);
         if (y == 0)
             status = exr_decoding_choose_default_routines(file, 0, &pipeline);
         if (status == EXR_ERR_SUCCESS)
@@ -117,7 +135,7 @@ static exr_result_t read_rows(exr_context_t file, float *pixels, int width, int 
     return status;
 }
 
-float *exr_read(const char *path, int *width, int *height)
+float *exr_read(const char *path, const char *channel, int *width, int *height)
 {
     enum { LARGEST = 1 << 14 };
     exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
@@ -136,11 +154,12 @@ float *exr_read(const char *path, int *width, int *height)
     }
     if (status == EXR_ERR_SUCCESS) {
         pixels = tables_allocate((size_t)*width * (size_t)*height * sizeof *pixels);
-        status = read_rows(file, pixels, *width, *height, window.min.y);
+        status = read_rows(file, channel, pixels, *width, *height, window.min.y);
     }
     exr_finish(&file);
     if (status != EXR_ERR_SUCCESS) {
-        base_error("%s: expected an EXR image of one channel: %s", path,
+        base_error("%s: expected an EXR image %s%s: %s", path,
+                   channel ? "with a channel " : "of one channel", channel ? channel : "",
                    exr_get_default_error_message(status));
         free(pixels);
         pixels = NULL;

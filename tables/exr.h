@@ -1,8 +1,9 @@
-/* exr.h: one-channel OpenEXR images, uncompressed, to and from memory-sized arrays of float. */
+/* exr.h: OpenEXR images to and from arrays of float. */
 #ifndef TABLES_EXR_H
 #define TABLES_EXR_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "buffer.h"
 
@@ -10,13 +11,26 @@ typedef struct exr_text {
     const char *name, *value;
 } exr_text;
 
-/* The bytes of an EXR file of one channel named Y, as half where `half`, else as float; rows from
- * y = 0 on; attributes are strings. False after one line. */
-bool exr_encode(buffer *out, const float *pixels, int width, int height, bool half,
-                const exr_text *attributes, size_t attribute_count);
+typedef struct exr_channel {
+    const char *name;
+    const float *pixels; /* width*height, rows from y = 0 on */
+} exr_channel;
 
-/* Reads such a file whatever its compression; width*height pixels, free() them. NULL after one
- * line. */
-float *exr_read(const char *path, int *width, int *height);
+typedef struct exr_image {
+    int width, height;
+    const exr_channel *channels; /* in the order of their names */
+    size_t channel_count;
+    bool half;       /* as half, else as float */
+    bool compressed; /* without loss (zips) */
+    const exr_text *attributes;
+    size_t attribute_count;
+} exr_image;
+
+/* The bytes of an EXR file. False after one line. */
+bool exr_encode(buffer *out, const exr_image *image);
+
+/* Reads one channel of a file whatever its compression; NULL: the only one. width*height pixels,
+ * free() them. NULL after one line. */
+float *exr_read(const char *path, const char *channel, int *width, int *height);
 
 #endif

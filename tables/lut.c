@@ -111,9 +111,11 @@ bool lut_make(lut *made)
         halves[i] = to_half(texels[i]);
     }
     readme(&made->readme, texels, halves);
-    return exr_encode(&made->float_exr, pixels, TAIL_SIZE, TAIL_SIZE, false, attributes,
-                      ATTRIBUTES) &&
-           exr_encode(&made->half_exr, pixels, TAIL_SIZE, TAIL_SIZE, true, attributes, ATTRIBUTES);
+    const exr_channel channel = {"Y", pixels};
+    exr_image image = {TAIL_SIZE, TAIL_SIZE, &channel, 1, false, false, attributes, ATTRIBUTES};
+    bool good = exr_encode(&made->float_exr, &image);
+    image.half = true;
+    return good && exr_encode(&made->half_exr, &image);
 }
 
 void lut_free(lut *made)
