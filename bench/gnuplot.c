@@ -192,6 +192,8 @@ char *gnuplot_adapt(const char *svg, const char *id, const char *label, bool ins
     for (const char *c = label; *c; c++)
         fputs(*c == '<' ? "&lt;" : *c == '&' ? "&amp;" : (char[]){*c, '\0'}, out);
     fputs("</title>\n<g>\n", out);
+    if (!inside)
+        fputs("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", out);
     char *symbols = strndup(defs, (size_t)((filters && filters < after ? filters : after) - defs));
     if (symbols)
         copy_body(out, symbols, id, inside);

@@ -69,7 +69,7 @@ static char *draw(const plot *plot, bool key)
     FILE *out = open_memstream(&script, &size);
     if (!out)
         return NULL;
-    size_t legend = key ? 18 * (plot->series_count / 2 + 1) : 0;
+    size_t legend = key ? 18 * plot->series_count + 14 : 0;
     fprintf(out,
             "set encoding utf8\n"
             "set terminal svg size 480,%zu dynamic enhanced name \"%s\" "
@@ -77,7 +77,7 @@ static char *draw(const plot *plot, bool key)
             "set datafile separator ','\nset border 3 lw 0.8\nset tics nomirror out scale 0.6\n"
             "set grid lw 0.6 dt 1 lc rgb \"gray\"\n",
             (size_t)330 + legend, plot->id);
-    fputs(key ? "set key outside below left Left reverse maxcols 2 samplen 2 noenhanced font "
+    fputs(key ? "set key outside below vertical Left reverse maxcols 1 samplen 2 noenhanced font "
                 "\",12\"\n"
               : "unset key\n",
           out);
