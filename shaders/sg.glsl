@@ -3,41 +3,53 @@
 //
 // To integrate: paste or #include this file after #version (450, 330, 300 es or later). It
 // defines functions and one struct, all named sg_, and the guard SG_GLSL; no binding, no
-// global, no other macro. In GLSL ES write `precision highp float;` before it: mediump is
-// half on many devices, for which none of the errors below hold. Then, per light:
+// global, no other macro. In GLSL ES write `precision highp float;` before it: mediump is half
+// on many devices, for which none of the errors below hold. Then, per light:
 //
 //     irradiance += sg_irradiance(amplitude, axis, sharpness, normal);
 //
-// sg_irradiance calls sg_A_h_tokuyoshi_2024_stable. Functions of one lobe of amplitude 1 take
-// (lambda, cos_theta): sharpness and dot(axis, normal).
+// sg_irradiance calls sg_A_h_logistic_minimax. Functions of one lobe of amplitude 1 take
+// (lambda, cos_theta): its sharpness and dot(axis, normal).
 //   A_h  integral of exp(lambda (dot(w, axis) - 1)) max(dot(w, normal), 0) over the sphere
 //   L    A_h over the integral of the lobe alone: the same for a lobe that integrates to 1
 //
-// Methods, and the largest error of L in float:
-//   wang_2009                    0.171     Cosine as a lobe, the common fit
-//   wang_2009_stable             0.17      Cosine as a lobe, the common fit, stable
-//   pettineo_hill_2016           0.0367    Fitted irradiance of Pettineo and Hill
-//   pettineo_hill_2016_stable    0.0367    Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
-//   tokuyoshi_2016               0.154     Cosine as a lobe of sharpness 2
-//   tokuyoshi_2016_stable        0.153     Cosine as a lobe of sharpness 2, stable
-//   constant_cosine              0.75      Cosine constant over the lobe
-//   constant_cosine_stable       0.75      Cosine constant over the lobe, stable
-//   meder_2018                   inf       Logistic between the poles
-//   meder_2018_hg                0.0348    Hemispherical Gaussians, logistic
-//   meder_2018_hg_stable         0.0111    Hemispherical Gaussians, logistic, stable
-//   meder_2018_stable            0.00528   Logistic between the poles, stable
-//   tokuyoshi_2022               0.00393   Hemispherical Gaussians, error function
-//   tokuyoshi_2022_stable        0.00369   Hemispherical Gaussians, error function, stable
-//   tokuyoshi_2024               0.00128   Planar Gaussian between the poles
-//   tokuyoshi_2024_stable        0.00128   Planar Gaussian between the poles, stable
-//   logistic_minimax             0.000661  Logistic with the exact limits, minimax
-//   logistic_refit               0.000733  Logistic with the exact limits, least squares
-//   meder_2018_minimax           0.00231   Logistic between the poles, minimax
-//   meder_2018_refit             0.00291   Logistic between the poles, least squares
-//   tokuyoshi_2022_minimax       0.00288   Hemispherical Gaussians, error function, minimax
-//   tokuyoshi_2022_refit         0.00298   Hemispherical Gaussians, error function, least squares
-//   tokuyoshi_2024_minimax       0.00119   Planar Gaussian between the poles, minimax
-//   tokuyoshi_2024_refit         0.00122   Planar Gaussian between the poles, least squares
+// Errors are of L against the integral over 400 sharpnesses, logarithmic on [1e-3, 1e4], times
+// 1001 angles beta, uniform on [0, pi], as far as they lie in the method's domain. Costs are
+// instructions that RADV needs for the function on navi21, without the shader around it.
+// Methods as published may fail at the ends of their domain; those named _stable are the same
+// models without that, and all others are stable too.
+//
+//   method                       max error  RMSE      A_h costs  what it is
+//   wang_2009                    1.71e-01   4.91e-02  15         Cosine as a lobe, the common fit
+//   wang_2009_stable             1.70e-01   4.91e-02  107        Cosine as a lobe, the common fit, stable
+//   pettineo_hill_2016           3.67e-02   5.28e-03  22         Fitted irradiance of Pettineo and Hill
+//   pettineo_hill_2016_stable    3.67e-02   4.55e-03  84         Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
+//   tokuyoshi_2016               1.54e-01   5.37e-02  15         Cosine as a lobe of sharpness 2
+//   tokuyoshi_2016_stable        1.53e-01   5.37e-02  105        Cosine as a lobe of sharpness 2, stable
+//   constant_cosine              7.50e-01   2.56e-01  8          Cosine constant over the lobe
+//   constant_cosine_stable       7.50e-01   2.56e-01  29         Cosine constant over the lobe, stable
+//   meder_2018                   inf        inf       38         Logistic between the poles
+//   meder_2018_hg                3.48e-02   3.24e-03  75         Hemispherical Gaussians, logistic
+//   meder_2018_hg_stable         1.11e-02   2.92e-03  333        Hemispherical Gaussians, logistic, stable
+//   meder_2018_stable            5.28e-03   7.98e-04  99         Logistic between the poles, stable
+//   tokuyoshi_2022               3.93e-03   5.60e-04  322        Hemispherical Gaussians, error function
+//   tokuyoshi_2022_stable        3.69e-03   5.57e-04  401        Hemispherical Gaussians, error function, stable
+//   tokuyoshi_2024               1.28e-03   1.94e-04  219        Planar Gaussian between the poles
+//   tokuyoshi_2024_stable        1.28e-03   1.94e-04  202        Planar Gaussian between the poles, stable
+//   brisk                        4.79e-04   2.40e-04  -          Root over a Gaussian bell, one term
+//   fine                         5.28e-07   1.96e-07  -          Root over a Gaussian bell, five terms
+//   logistic_minimax             6.61e-04   1.36e-04  108        Logistic with the exact limits, minimax
+//   logistic_refit               7.33e-04   1.15e-04  108        Logistic with the exact limits, least squares
+//   meder_2018_minimax           2.31e-03   5.21e-04  99         Logistic between the poles, minimax
+//   meder_2018_refit             2.91e-03   4.70e-04  99         Logistic between the poles, least squares
+//   medium                       9.82e-05   3.09e-05  -          Root over a Gaussian bell, two terms
+//   positive                     5.05e-04   2.56e-04  -          Root with a true tail
+//   quick                        9.88e-04   4.25e-04  -          Root over a quartic bell
+//   standard                     6.50e-06   4.17e-06  -          Root over a Gaussian bell, three terms
+//   tokuyoshi_2022_minimax       2.88e-03   5.92e-04  401        Hemispherical Gaussians, error function, minimax
+//   tokuyoshi_2022_refit         2.98e-03   4.78e-04  401        Hemispherical Gaussians, error function, least squares
+//   tokuyoshi_2024_minimax       1.19e-03   2.33e-04  202        Planar Gaussian between the poles, minimax
+//   tokuyoshi_2024_refit         1.22e-03   1.93e-04  202        Planar Gaussian between the poles, least squares
 #ifndef SG_GLSL
 #define SG_GLSL
 
@@ -286,7 +298,7 @@ float sg_tanh_half(float x)
 // Error of L:
 //   float   max 0.171 at lambda 8859, beta 0.01257 (cos_theta 0.9999); RMSE 0.0491
 //   double  max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
-// Cost on navi21: L 22 instructions, inverse throughput 9; A_h 15 instructions, inverse throughput
+// Cost on navi21: L 45 instructions, inverse throughput 35; A_h 15 instructions, inverse throughput
 //   6
 // Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
 //   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
@@ -324,8 +336,10 @@ float sg_L_wang_2009(float lambda, float cos_theta)
 //   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
 //   eqs 2 and 3
 // Form lobe_product_stable: the clamped cosine as one lobe about the normal; exponent and integrals
-// without cancellation. Sharpnesses in units of their sum, so that no square overflows. Not below
-// 0; up to cosine_amplitude, which may be more than 1.
+// without cancellation. Sharpnesses in units of their sum, so that no square overflows. Cut at 1,
+// above which the model itself goes where cosine_amplitude is more than 1. It tends to
+// cosine_amplitude e^(cosine_sharpness (z - 1)) as the sharpness grows; an infinite one gives what
+// is right there, max(z, 0).
 float sg_L_wang_2009_stable(float lambda, float cos_theta)
 {
     const float cosine_amplitude = 1.17;
@@ -337,9 +351,8 @@ float sg_L_wang_2009_stable(float lambda, float cos_theta)
     float product = sqrt(difference * difference + 2.0 * share * (cosine_sharpness / sum) * (1.0 + z));
     float drop = 2.0 * cosine_sharpness * (1.0 - z);
     float area = sg_integral(sum * product) / sg_integral(lambda);
-    float value = cosine_amplitude * exp(-drop * share / (1.0 + product)) * area;
-    // an infinite sharpness: the lobe in the place of the cosine, itself
-    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? cosine_amplitude * exp(-0.5 * drop) : value;
+    float value = min(cosine_amplitude * exp(-drop * share / (1.0 + product)) * area, 1.0);
+    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_wang_2009_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -357,7 +370,7 @@ float sg_A_h_wang_2009_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00528
 //   double  max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00528
-// Cost on navi21: L 27 instructions, inverse throughput 17; A_h 22 instructions, inverse throughput
+// Cost on navi21: L 50 instructions, inverse throughput 45; A_h 22 instructions, inverse throughput
 //   8
 // Source: Pettineo and Hill, SG Series Part 3: Diffuse Lighting From an SG Light Source, 2016
 // Form pettineo_hill: Pettineo's and Hill's fit of the irradiance, as published. For lambda >= 1
@@ -450,7 +463,7 @@ float sg_A_h_pettineo_hill_2016_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.154 at lambda 8508, beta 0.8482 (cos_theta 0.6613); RMSE 0.0537
 //   double  max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
-// Cost on navi21: L 22 instructions, inverse throughput 9; A_h 15 instructions, inverse throughput
+// Cost on navi21: L 45 instructions, inverse throughput 35; A_h 15 instructions, inverse throughput
 //   6
 // Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
 //   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
@@ -486,8 +499,10 @@ float sg_L_tokuyoshi_2016(float lambda, float cos_theta)
 // Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
 //   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
 // Form lobe_product_stable: the clamped cosine as one lobe about the normal; exponent and integrals
-// without cancellation. Sharpnesses in units of their sum, so that no square overflows. Not below
-// 0; up to cosine_amplitude, which may be more than 1.
+// without cancellation. Sharpnesses in units of their sum, so that no square overflows. Cut at 1,
+// above which the model itself goes where cosine_amplitude is more than 1. It tends to
+// cosine_amplitude e^(cosine_sharpness (z - 1)) as the sharpness grows; an infinite one gives what
+// is right there, max(z, 0).
 float sg_L_tokuyoshi_2016_stable(float lambda, float cos_theta)
 {
     const float cosine_amplitude = 1.0;
@@ -499,9 +514,8 @@ float sg_L_tokuyoshi_2016_stable(float lambda, float cos_theta)
     float product = sqrt(difference * difference + 2.0 * share * (cosine_sharpness / sum) * (1.0 + z));
     float drop = 2.0 * cosine_sharpness * (1.0 - z);
     float area = sg_integral(sum * product) / sg_integral(lambda);
-    float value = cosine_amplitude * exp(-drop * share / (1.0 + product)) * area;
-    // an infinite sharpness: the lobe in the place of the cosine, itself
-    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? cosine_amplitude * exp(-0.5 * drop) : value;
+    float value = min(cosine_amplitude * exp(-drop * share / (1.0 + product)) * area, 1.0);
+    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_tokuyoshi_2016_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -519,7 +533,8 @@ float sg_A_h_tokuyoshi_2016_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
 //   double  max 0.75 at lambda 0.001, beta 0 (cos_theta 1); RMSE 0.256
-// Cost on navi21: L 15 instructions, inverse throughput 6; A_h 8 instructions, inverse throughput 3
+// Cost on navi21: L 33 instructions, inverse throughput 14; A_h 8 instructions, inverse throughput
+//   3
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 2 and 7
 // Form constant_cosine: the cosine taken as constant over the lobe, as published: a directional
 // light.
@@ -567,7 +582,7 @@ float sg_A_h_constant_cosine_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   not finite, first at lambda 92.24, beta 0
 //   double  max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
-// Cost on navi21: L 43 instructions, inverse throughput 47; A_h 38 instructions, inverse throughput
+// Cost on navi21: L 64 instructions, inverse throughput 74; A_h 38 instructions, inverse throughput
 //   37
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
 // Form meder_logistic: between the poles by clamped and normalised cosine, weighted by a logistic
@@ -600,7 +615,7 @@ float sg_L_meder_2018(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.0348 at lambda 8508, beta 1.323 (cos_theta 0.2456); RMSE 0.00324
 //   double  max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00297
-// Cost on navi21: L 80 instructions, inverse throughput 119; A_h 75 instructions, inverse
+// Cost on navi21: L 104 instructions, inverse throughput 149; A_h 75 instructions, inverse
 //   throughput 109
 // Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
 //   offset as public implementations carry it (Tokuyoshi's poster prints 31.703)
@@ -649,8 +664,9 @@ float sg_L_meder_2018_hg(float lambda, float cos_theta)
 // logistic curve; the difference in closed form. As hemisphere_erf_stable, with R = tanh(t
 // z/2)/tanh(t/2), which is 2s - 1 of the published logistic s, and with L = scale/2 (Q (1 + T3 R3)
 // - (1 + T R)) + rest/2 (1 + T R), where scale = amplitude e^-c and rest = scale - offset are
-// coefficients, because their difference cancels. Cut at 0: at grazing angles the model itself is
-// negative, down to rest/2 at z = 0 and to rest just above it as the sharpness grows.
+// coefficients, because their difference cancels. Cut at 0 and 1: at grazing angles the model
+// itself is negative, down to rest/2 at z = 0 and to rest just above it as the sharpness grows, and
+// at z = 1 it goes up to 1.0077. An infinite sharpness gives max(z, 0), not the model's limit.
 float sg_L_meder_2018_hg_stable(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 0.0315;
@@ -708,9 +724,8 @@ float sg_L_meder_2018_hg_stable(float lambda, float cos_theta)
     float bias_step = lambda < 4.0 * c ? direct : stepped;
     float bias = tanh1 * ratio;
     float gain = d * sg_gain_step(lambda, product, step) * (1.0 + bias + c * bias_step) + bias_step;
-    float value = max(0.5 * (cosine_scale * c * gain + cosine_rest * (1.0 + bias)), 0.0);
-    float limit = max(cosine_scale * sg_expm1(c * max(z, 0.0)) + cosine_rest, 0.0);
-    return v <= 1.0e-37 ? limit : value;
+    float value = 0.5 * (cosine_scale * c * gain + cosine_rest * (1.0 + bias));
+    return v <= 1.0e-37 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
 }
 
 // sg_A_h_meder_2018_hg_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -764,8 +779,8 @@ float sg_A_h_meder_2018_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00393 at lambda 5.915, beta 0.9142 (cos_theta 0.6104); RMSE 0.00056
 //   double  max 0.00369 at lambda 5.915, beta 0.9519 (cos_theta 0.5801); RMSE 0.000557
-// Cost on navi21: L 195 instructions, inverse throughput 308; A_h 216 instructions, inverse
-//   throughput 335
+// Cost on navi21: L 298 instructions, inverse throughput 419; A_h 322 instructions, inverse
+//   throughput 449
 // Source: Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, eq. 1 and
 //   section 2
 // Form hemisphere_erf: the clamped cosine as a lobe less a constant, hemispheres by an error
@@ -816,8 +831,9 @@ float sg_A_h_tokuyoshi_2022(float lambda, float cos_theta)
 // is A/2 (1 + T R), T = tanh(lambda/2), R = erf(t z)/erf(t), and L = alpha/2 (Q (1 + T3 R3) - (1 +
 // T R)), where 3 marks the product and Q = A3 e^sharpness3 / (A e^lambda). alpha c is about 1: each
 // of Q - 1, T3 - T, t3 - t ... is formed divided by c, from sharpness3 - lambda = c (2 lambda z +
-// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0, below which the
-// model itself falls, to -5.1e-4 at (9.1, z = -0.81).
+// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0 and 1, which the
+// model itself passes, to -5.1e-4 at (9.1, z = -0.81) and to 1.00014 at z = 1 for large
+// sharpnesses.
 float sg_L_tokuyoshi_2022_stable(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 8.456087224148012e-4;
@@ -858,8 +874,8 @@ float sg_L_tokuyoshi_2022_stable(float lambda, float cos_theta)
     float tanh_step = 0.5 * d * (1.0 - step * step * 0.0833333333333333333) * (1.0 - tanh1 * tanh3);
     float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
     float bias3 = tanh1 * ratio + c * bias_step;
-    float value = max(0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step), 0.0);
-    return v <= 1.0e-37 ? alpha * sg_expm1(c * max(z, 0.0)) : value;
+    float value = 0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step);
+    return v <= 1.0e-37 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
 }
 
 // sg_A_h_tokuyoshi_2022_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -877,8 +893,8 @@ float sg_A_h_tokuyoshi_2022_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
 //   double  max 0.00128 at lambda 5.915, beta 2.259 (cos_theta -0.635); RMSE 0.000194
-// Cost on navi21: L 127 instructions, inverse throughput 209; A_h 122 instructions, inverse
-//   throughput 199
+// Cost on navi21: L 245 instructions, inverse throughput 342; A_h 219 instructions, inverse
+//   throughput 307
 // Source: Tokuyoshi et al., Hierarchical Light Sampling with Accurate Spherical Gaussian Lighting,
 //   2024, supplement
 // Form cosine_erf: between the poles by the integral of a planar Gaussian times a clamped plane, as
@@ -950,12 +966,146 @@ float sg_A_h_tokuyoshi_2024_stable(float lambda, float cos_theta)
     return sg_A_h_from_L(sg_L_tokuyoshi_2024_stable(lambda, cos_theta), lambda);
 }
 
+// brisk: Root over a Gaussian bell, one term (tier, 2026).
+// sg_L_brisk returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.000479 at lambda 2.069, beta 0.754 (cos_theta 0.729); RMSE 0.00024
+//   double  max 0.000479 at lambda 2.069, beta 0.754 (cos_theta 0.729); RMSE 0.00024
+// Source: sgfit fit brisk (fit/recipes/brisk.json)
+// Made by: sgfit fit brisk
+// Form root_bell_1: half the odd part and a root, over a Gaussian bell with one term. With p = z m
+// / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T + 2 |p|), T =
+// L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds, and t is an even analytic function of
+// lambda and of z: no crease at the terminator, and one polynomial in s = 1/sqrt(lambda^2 + ...)
+// serves from lambda = 0 to infinity. g = s (lambda z)^2; the bell t = s (polynomial in g, its
+// coefficients polynomials in s) 2^(-k g). lambda is held where its square is a float; the literal
+// coefficients are such as a GPU has for free.
+float sg_L_brisk(float lambda, float cos_theta)
+{
+    const float b = 8.66357441045122;
+    const float m1 = -0.5039902278836833;
+    const float m2 = 2.068745722833676;
+    const float e0 = 0.15619615828701014;
+    const float e1 = -0.08679463094519489;
+    const float k0 = 0.7307090840327919;
+    const float a0 = -0.1601356538406277;
+    float l = min(lambda, 1e18);
+    float s = inversesqrt(l * l + b);
+    float a = l * cos_theta;
+    float q = a * s;
+    float p = q * (0.5 + s * (m1 + s * (m2 - s * 2.0)));
+    float g = a * q;
+    float t = e0 + s * ((e1 + s * 0.5) + g * a0);
+    float u = exp2((s - k0) * g);
+    return clamp(p + sqrt(p * p + t * (s * u)), 0.0, 1.0);
+}
+
+// sg_A_h_brisk returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_brisk(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_brisk(lambda, cos_theta), lambda);
+}
+
+// fine: Root over a Gaussian bell, five terms (tier, 2026).
+// sg_L_fine returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 5.28e-07 at lambda 3.643, beta 0.2168 (cos_theta 0.9766); RMSE 1.96e-07
+//   double  max 4.22e-07 at lambda 1.438, beta 0.377 (cos_theta 0.9298); RMSE 1.91e-07
+// Source: fit/recipes/fine.json
+// Form root_bell_5: half the odd part and a root, over a Gaussian bell with five terms. With p = z
+// m / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T + 2 |p|), T
+// = L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds, and t is an even analytic function
+// of lambda and of z: no crease at the terminator, and one polynomial in s = 1/sqrt(lambda^2 + ...)
+// serves from lambda = 0 to infinity. g = s (lambda z)^2; the bell t = s (polynomial in g, its
+// coefficients polynomials in s) 2^(-k g). The inner quotient moves the poles of m, at lambda = i
+// pi, out of the way. lambda is held where its square is a float, g where its powers are; exp2 has
+// vanished long before.
+float sg_L_fine(float lambda, float cos_theta)
+{
+    const float b = 9.761636964648382;
+    const float b1 = 35.043123381085195;
+    const float b2 = 29.991027724301887;
+    const float m1 = -0.499936325630217;
+    const float m2 = 2.433988523149283;
+    const float m3 = -4.676321256803856;
+    const float m4 = 24.04920825965797;
+    const float m5 = -56.28274453395767;
+    const float m6 = 51.794914333006155;
+    const float e0 = 0.15916276525444878;
+    const float e1 = -0.12016977598655236;
+    const float e2 = 0.7840798689409472;
+    const float e3 = -1.404542448310484;
+    const float e4 = 8.824091928776845;
+    const float e5 = -15.697735906976781;
+    const float e6 = 15.590386725481782;
+    const float k0 = 0.7452425403233238;
+    const float k1 = -2.2974123232219754;
+    const float k2 = -3.178687459467402;
+    const float k3 = 5.346989056045107;
+    const float k4 = 83.17874867098665;
+    const float k5 = -262.71198305238545;
+    const float k6 = 233.78328672578039;
+    const float a0 = -0.00864380188540024;
+    const float a1 = -0.17199925947539585;
+    const float a2 = -0.7203758371227195;
+    const float a3 = 1.7462181823679397;
+    const float a4 = -3.9105853558377963;
+    const float c0 = 8.088509220005025e-4;
+    const float c1 = -0.013378827133963203;
+    const float c2 = 0.1481578216903207;
+    const float c3 = 0.9571842194689294;
+    const float c4 = -3.705344302628417;
+    const float c5 = 4.1931636632327285;
+    const float d0 = -4.5451834553286296e-5;
+    const float d1 = -4.0706848654072585e-4;
+    const float d2 = 0.029090954291798397;
+    const float d3 = -0.22775553152673444;
+    const float d4 = 0.3229266084908395;
+    const float d5 = 0.03076476260462718;
+    const float f0 = 1.4249472230693835e-7;
+    const float f1 = 1.1166883127898665e-4;
+    const float f2 = -0.0015665840468006786;
+    const float f3 = 0.005553283554030308;
+    const float j0 = 5.124776330286586e-8;
+    const float j1 = -3.2090004127142905e-6;
+    const float j2 = 9.367350799627765e-6;
+    float l = min(lambda, 1e18);
+    float h = l * l + b;
+    float s = inversesqrt(h + b1 / (h + b2));
+    float a = l * cos_theta;
+    float q = a * s;
+    float p = q * (0.5 + s * (m1 + s * (m2 + s * (m3 + s * (m4 + s * (m5 + s * m6))))));
+    float g = min(a * q, 1e3);
+    float k = k0 + s * (k1 + s * (k2 + s * (k3 + s * (k4 + s * (k5 + s * k6)))));
+    float t = j0 + s * (j1 + s * j2);
+    t = (f0 + s * (f1 + s * (f2 + s * f3))) + g * t;
+    t = (d0 + s * (d1 + s * (d2 + s * (d3 + s * (d4 + s * d5))))) + g * t;
+    t = (c0 + s * (c1 + s * (c2 + s * (c3 + s * (c4 + s * c5))))) + g * t;
+    t = (a0 + s * (a1 + s * (a2 + s * (a3 + s * a4)))) + g * t;
+    t = (e0 + s * (e1 + s * (e2 + s * (e3 + s * (e4 + s * (e5 + s * e6)))))) + g * t;
+    return clamp(p + sqrt(p * p + t * (s * exp2(-k * g))), 0.0, 1.0);
+}
+
+// sg_A_h_fine returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_fine(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_fine(lambda, cos_theta), lambda);
+}
+
 // logistic_minimax: Logistic with the exact limits, minimax (refit, 2026).
 // sg_L_logistic_minimax returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
 //   float   max 0.000661 at lambda 17.6, beta 1.605 (cos_theta -0.03455); RMSE 0.000136
 //   double  max 0.000661 at lambda 17.6, beta 1.536 (cos_theta 0.03455); RMSE 0.000136
+// Cost on navi21: L 86 instructions, inverse throughput 109; A_h 108 instructions, inverse
+//   throughput 138
 // Source: sgfit fit logistic_minimax (fit/recipes/logistic_minimax.json)
 // Made by: sgfit fit logistic_minimax
 // Form logistic_limits: Meder's logistic weight with a t and a u that have the exact limits at
@@ -1001,6 +1151,8 @@ float sg_A_h_logistic_minimax(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.000733 at lambda 9.604, beta 0.8954 (cos_theta 0.6252); RMSE 0.000115
 //   double  max 0.000733 at lambda 9.604, beta 0.8954 (cos_theta 0.6252); RMSE 0.000115
+// Cost on navi21: L 86 instructions, inverse throughput 109; A_h 108 instructions, inverse
+//   throughput 138
 // Source: sgfit fit logistic_refit (fit/recipes/logistic_refit.json)
 // Made by: sgfit fit logistic_refit
 // Form logistic_limits: Meder's logistic weight with a t and a u that have the exact limits at
@@ -1046,6 +1198,8 @@ float sg_A_h_logistic_refit(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00231 at lambda 37.93, beta 1.455 (cos_theta 0.116); RMSE 0.000521
 //   double  max 0.00231 at lambda 37.93, beta 1.687 (cos_theta -0.116); RMSE 0.000521
+// Cost on navi21: L 77 instructions, inverse throughput 95; A_h 99 instructions, inverse throughput
+//   124
 // Source: sgfit fit meder_2018_minimax (fit/recipes/meder_2018_minimax.json)
 // Made by: sgfit fit meder_2018_minimax
 // Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
@@ -1082,6 +1236,8 @@ float sg_A_h_meder_2018_minimax(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00291 at lambda 6.677, beta 1.508 (cos_theta 0.06279); RMSE 0.00047
 //   double  max 0.00291 at lambda 6.677, beta 1.508 (cos_theta 0.06279); RMSE 0.00047
+// Cost on navi21: L 77 instructions, inverse throughput 95; A_h 99 instructions, inverse throughput
+//   124
 // Source: sgfit fit meder_2018_refit (fit/recipes/meder_2018_refit.json)
 // Made by: sgfit fit meder_2018_refit
 // Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
@@ -1112,12 +1268,228 @@ float sg_A_h_meder_2018_refit(float lambda, float cos_theta)
     return sg_A_h_from_L(sg_L_meder_2018_refit(lambda, cos_theta), lambda);
 }
 
+// medium: Root over a Gaussian bell, two terms (tier, 2026).
+// sg_L_medium returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 9.82e-05 at lambda 1.833, beta 3.142 (cos_theta -1); RMSE 3.09e-05
+//   double  max 9.81e-05 at lambda 1.833, beta 3.142 (cos_theta -1); RMSE 3.09e-05
+// Source: sgfit fit medium (fit/recipes/medium.json)
+// Made by: sgfit fit medium
+// Form root_bell_2: half the odd part and a root, over a Gaussian bell with two terms. With p = z m
+// / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T + 2 |p|), T =
+// L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds, and t is an even analytic function of
+// lambda and of z: no crease at the terminator, and one polynomial in s = 1/sqrt(lambda^2 + ...)
+// serves from lambda = 0 to infinity. g = s (lambda z)^2; the bell t = s (polynomial in g, its
+// coefficients polynomials in s) 2^(-k g). lambda is held where its square is a float.
+float sg_L_medium(float lambda, float cos_theta)
+{
+    const float b = 6.741071509052049;
+    const float m1 = -0.4977347419918458;
+    const float m2 = 1.5872231193839927;
+    const float m3 = -1.9553857372364802;
+    const float e0 = 0.15873286073636556;
+    const float e1 = -0.11916223563512783;
+    const float e2 = 0.5440183397149445;
+    const float e3 = -0.5471311840905427;
+    const float k0 = 0.7968924583562637;
+    const float k1 = -1.2905545721888365;
+    const float a0 = -0.12283412596777019;
+    const float b0 = -0.006259535501213847;
+    float l = min(lambda, 1e18);
+    float s = inversesqrt(l * l + b);
+    float a = l * cos_theta;
+    float q = a * s;
+    float p = q * (0.5 + s * (m1 + s * (m2 + s * m3)));
+    float g = a * q;
+    float t = e0 + s * ((e1 + s * (e2 + s * e3)) + g * (a0 + g * b0));
+    float u = exp2(-(k0 + s * k1) * g);
+    return clamp(p + sqrt(p * p + t * (s * u)), 0.0, 1.0);
+}
+
+// sg_A_h_medium returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_medium(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_medium(lambda, cos_theta), lambda);
+}
+
+// positive: Root with a true tail (tier, 2026).
+// sg_L_positive returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.000505 at lambda 4.112, beta 0.009425 (cos_theta 1); RMSE 0.000256
+//   double  max 0.000505 at lambda 4.112, beta 0 (cos_theta 1); RMSE 0.000256
+// Source: sgfit fit positive (fit/recipes/positive.json)
+// Made by: sgfit fit positive
+// Form root_tail: half the odd part and a root, the far tail kept in proportion. With p = z m / 2
+// (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T + 2 |p|), T =
+// L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds, and t is an even analytic function of
+// lambda and of z: no crease at the terminator, and one polynomial in s = 1/sqrt(lambda^2 + ...)
+// serves from lambda = 0 to infinity. At the back L = t / (|p| + root), which does not cancel. The
+// bell follows the lobe instead of its Gaussian: w = sqrt(lambda^2 + b) - sqrt(lambda^2 (1 - z^2) +
+// b), and t = s (polynomial in s) 2^(-k w) / sqrt(d), d a polynomial in w and s. t is carried 2^40
+// times too large, since it is the square of a tail that may itself be as small as a float can be;
+// lambda is held where its square is a float.
+float sg_L_positive(float lambda, float cos_theta)
+{
+    const float b = 2.9487926951265795;
+    const float m1 = -0.49413935361403755;
+    const float m2 = 0.7113174721539133;
+    const float m3 = -1.604935687535984;
+    const float m4 = 1.3073795497169216;
+    const float e0 = 0.15819376221159795;
+    const float e1 = -0.07951516914183761;
+    const float e2 = -0.012557821545102425;
+    const float k0 = 1.443310352598683;
+    const float a0 = 0.2999094274703398;
+    const float a1 = -1.6709313997198112;
+    const float a2 = -0.05019846684632993;
+    const float c0 = -0.4646576550974307;
+    const float c1 = 2.2034829020597884;
+    const float c2 = -2.947422696320076;
+    const float d0 = 0.16351575897591525;
+    const float d1 = -0.9281365437984758;
+    float l = min(lambda, 1e18);
+    float h = l * l + b;
+    float s = inversesqrt(h);
+    float a = l * cos_theta;
+    float p = (a * s) * (0.5 + s * (m1 + s * (m2 + s * (m3 + s * m4))));
+    float w = a * (a / (h * s + sqrt(max(h - a * a, b))));
+    float y = w * s;
+    float d = (c0 + s * (c1 + s * c2)) + y * (d0 + s * d1);
+    d = 1.0 + w * ((a0 + s * (a1 + s * a2)) + y * d);
+    float u = exp2(40.0 - k0 * w) * inversesqrt(max(d, 0.1));
+    float t = (e0 + s * (e1 + s * e2)) * (s * u);
+    float r = abs(p) + sqrt(p * p + t * 9.094947017729282e-13);
+    return clamp(max(p + p, 0.0) + (t / r) * 9.094947017729282e-13, 0.0, 1.0);
+}
+
+// sg_A_h_positive returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_positive(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_positive(lambda, cos_theta), lambda);
+}
+
+// quick: Root over a quartic bell (tier, 2026).
+// sg_L_quick returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 0.000988 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.000425
+//   double  max 0.000988 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.000425
+// Source: sgfit fit quick (fit/recipes/quick.json)
+// Made by: sgfit fit quick
+// Form root_quartic: half the odd part and a root, over a quartic bell: the cheapest of the family.
+// With p = z m / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T
+// + 2 |p|), T = L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds, and t is an even
+// analytic function of lambda and of z: no crease at the terminator, and one polynomial in s =
+// 1/sqrt(lambda^2 + ...) serves from lambda = 0 to infinity. Here the bell is s u^4, u linear in
+// (lambda z)^2 and cut off at 0. lambda is held where its square is a float.
+float sg_L_quick(float lambda, float cos_theta)
+{
+    const float b = 5.5306808871988995;
+    const float m1 = -0.48258606188910375;
+    const float m2 = 1.1701756816963254;
+    const float m3 = -1.5096961882152633;
+    const float e0 = 0.6241675240741259;
+    const float e1 = -0.010077925329274689;
+    const float k0 = 0.07764021138722792;
+    float l = min(lambda, 1e18);
+    float s = inversesqrt(l * l + b);
+    float a = l * cos_theta;
+    float q = a * s;
+    float p = q * (0.5 + s * (m1 + s * (m2 + s * m3)));
+    float u = clamp((e0 + e1 * s) - (k0 * a) * q, 0.0, 1.0);
+    u = u * u;
+    u = u * u;
+    return clamp(p + sqrt(p * p + s * u), 0.0, 1.0);
+}
+
+// sg_A_h_quick returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_quick(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_quick(lambda, cos_theta), lambda);
+}
+
+// standard: Root over a Gaussian bell, three terms (tier, 2026).
+// sg_L_standard returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 6.5e-06 at lambda 7.848, beta 0.2639 (cos_theta 0.9654); RMSE 4.17e-06
+//   double  max 6.41e-06 at lambda 6.677, beta 1.561 (cos_theta 0.009425); RMSE 4.17e-06
+// Source: fit/recipes/standard.json
+// Form root_bell_3: half the odd part and a root, over a Gaussian bell with three terms. With p = z
+// m / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T + 2 |p|), T
+// = L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds, and t is an even analytic function
+// of lambda and of z: no crease at the terminator, and one polynomial in s = 1/sqrt(lambda^2 + ...)
+// serves from lambda = 0 to infinity. g = s (lambda z)^2; the bell t = s (polynomial in g, its
+// coefficients polynomials in s) 2^(-k g). The inner quotient moves the poles of m, at lambda = i
+// pi, out of the way. lambda is held where its square is a float, g where its powers are; exp2 has
+// vanished long before.
+float sg_L_standard(float lambda, float cos_theta)
+{
+    const float b = 8.2038203726694;
+    const float b1 = 150.27307188293665;
+    const float b2 = 95.57526212321831;
+    const float m1 = -0.4989122397310673;
+    const float m2 = 1.934458589023129;
+    const float m3 = -0.16008655800931593;
+    const float m4 = -1.558075460398488;
+    const float e0 = 0.15906558575788787;
+    const float e1 = -0.11444126214898115;
+    const float e2 = 0.54017945361563;
+    const float e3 = 0.4793224160802388;
+    const float k0 = 0.7436635981421618;
+    const float k1 = -1.2255503882802372;
+    const float k2 = -4.998406516805243;
+    const float k3 = 8.505565438642295;
+    const float a0 = -0.008776759709495078;
+    const float a1 = -0.0617480880680894;
+    const float a2 = -0.7070708844773897;
+    const float c0 = 9.009493349943205e-4;
+    const float c1 = -0.022956379642025314;
+    const float c2 = 0.09529300801676728;
+    const float c3 = 0.32136401748579796;
+    const float d0 = -4.6353304931374e-5;
+    const float d1 = 5.534376053413136e-4;
+    const float d2 = 0.013611076081906695;
+    const float d3 = -0.06456753020433458;
+    float l = min(lambda, 1e18);
+    float h = l * l + b;
+    float s = inversesqrt(h + b1 / (h + b2));
+    float a = l * cos_theta;
+    float q = a * s;
+    float p = q * (0.5 + s * (m1 + s * (m2 + s * (m3 + s * m4))));
+    float g = min(a * q, 1e3);
+    float k = k0 + s * (k1 + s * (k2 + s * k3));
+    float t = d0 + s * (d1 + s * (d2 + s * d3));
+    t = (c0 + s * (c1 + s * (c2 + s * c3))) + g * t;
+    t = (a0 + s * (a1 + s * a2)) + g * t;
+    t = (e0 + s * (e1 + s * (e2 + s * e3))) + g * t;
+    return clamp(p + sqrt(p * p + t * (s * exp2(-k * g))), 0.0, 1.0);
+}
+
+// sg_A_h_standard returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_standard(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_standard(lambda, cos_theta), lambda);
+}
+
 // tokuyoshi_2022_minimax: Hemispherical Gaussians, error function, minimax (refit, 2026).
 // sg_L_tokuyoshi_2022_minimax returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
 //   float   max 0.00288 at lambda 5.915, beta 2.215 (cos_theta -0.6004); RMSE 0.000592
 //   double  max 0.00288 at lambda 5.915, beta 2.215 (cos_theta -0.6004); RMSE 0.000592
+// Cost on navi21: L 381 instructions, inverse throughput 624; A_h 401 instructions, inverse
+//   throughput 651
 // Source: sgfit fit tokuyoshi_2022_minimax (fit/recipes/tokuyoshi_2022_minimax.json)
 // Made by: sgfit fit tokuyoshi_2022_minimax
 // Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error
@@ -1125,8 +1497,9 @@ float sg_A_h_meder_2018_refit(float lambda, float cos_theta)
 // is A/2 (1 + T R), T = tanh(lambda/2), R = erf(t z)/erf(t), and L = alpha/2 (Q (1 + T3 R3) - (1 +
 // T R)), where 3 marks the product and Q = A3 e^sharpness3 / (A e^lambda). alpha c is about 1: each
 // of Q - 1, T3 - T, t3 - t ... is formed divided by c, from sharpness3 - lambda = c (2 lambda z +
-// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0, below which the
-// model itself falls, to -5.1e-4 at (9.1, z = -0.81).
+// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0 and 1, which the
+// model itself passes, to -5.1e-4 at (9.1, z = -0.81) and to 1.00014 at z = 1 for large
+// sharpnesses.
 float sg_L_tokuyoshi_2022_minimax(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 8.456087224148012e-4;
@@ -1167,8 +1540,8 @@ float sg_L_tokuyoshi_2022_minimax(float lambda, float cos_theta)
     float tanh_step = 0.5 * d * (1.0 - step * step * 0.0833333333333333333) * (1.0 - tanh1 * tanh3);
     float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
     float bias3 = tanh1 * ratio + c * bias_step;
-    float value = max(0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step), 0.0);
-    return v <= 1.0e-37 ? alpha * sg_expm1(c * max(z, 0.0)) : value;
+    float value = 0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step);
+    return v <= 1.0e-37 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
 }
 
 // sg_A_h_tokuyoshi_2022_minimax returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1185,6 +1558,8 @@ float sg_A_h_tokuyoshi_2022_minimax(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00298 at lambda 5.68, beta 2.224 (cos_theta -0.6079); RMSE 0.000478
 //   double  max 0.00298 at lambda 5.68, beta 2.224 (cos_theta -0.6079); RMSE 0.000478
+// Cost on navi21: L 381 instructions, inverse throughput 624; A_h 401 instructions, inverse
+//   throughput 651
 // Source: sgfit fit tokuyoshi_2022_refit (fit/recipes/tokuyoshi_2022_refit.json)
 // Made by: sgfit fit tokuyoshi_2022_refit
 // Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error
@@ -1192,8 +1567,9 @@ float sg_A_h_tokuyoshi_2022_minimax(float lambda, float cos_theta)
 // is A/2 (1 + T R), T = tanh(lambda/2), R = erf(t z)/erf(t), and L = alpha/2 (Q (1 + T3 R3) - (1 +
 // T R)), where 3 marks the product and Q = A3 e^sharpness3 / (A e^lambda). alpha c is about 1: each
 // of Q - 1, T3 - T, t3 - t ... is formed divided by c, from sharpness3 - lambda = c (2 lambda z +
-// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0, below which the
-// model itself falls, to -5.1e-4 at (9.1, z = -0.81).
+// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0 and 1, which the
+// model itself passes, to -5.1e-4 at (9.1, z = -0.81) and to 1.00014 at z = 1 for large
+// sharpnesses.
 float sg_L_tokuyoshi_2022_refit(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 8.456087224148012e-4;
@@ -1234,8 +1610,8 @@ float sg_L_tokuyoshi_2022_refit(float lambda, float cos_theta)
     float tanh_step = 0.5 * d * (1.0 - step * step * 0.0833333333333333333) * (1.0 - tanh1 * tanh3);
     float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
     float bias3 = tanh1 * ratio + c * bias_step;
-    float value = max(0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step), 0.0);
-    return v <= 1.0e-37 ? alpha * sg_expm1(c * max(z, 0.0)) : value;
+    float value = 0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step);
+    return v <= 1.0e-37 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
 }
 
 // sg_A_h_tokuyoshi_2022_refit returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1252,6 +1628,8 @@ float sg_A_h_tokuyoshi_2022_refit(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00119 at lambda 6.158, beta 1.571 (cos_theta 0); RMSE 0.000233
 //   double  max 0.00119 at lambda 6.158, beta 1.571 (cos_theta 0); RMSE 0.000233
+// Cost on navi21: L 180 instructions, inverse throughput 259; A_h 202 instructions, inverse
+//   throughput 288
 // Source: sgfit fit tokuyoshi_2024_minimax (fit/recipes/tokuyoshi_2024_minimax.json)
 // Made by: sgfit fit tokuyoshi_2024_minimax
 // Form cosine_erf_stable: between the poles by the integral of a planar Gaussian times a clamped
@@ -1292,6 +1670,8 @@ float sg_A_h_tokuyoshi_2024_minimax(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00122 at lambda 5.915, beta 0.8702 (cos_theta 0.6447); RMSE 0.000193
 //   double  max 0.00122 at lambda 5.915, beta 2.271 (cos_theta -0.6447); RMSE 0.000193
+// Cost on navi21: L 180 instructions, inverse throughput 259; A_h 202 instructions, inverse
+//   throughput 288
 // Source: sgfit fit tokuyoshi_2024_refit (fit/recipes/tokuyoshi_2024_refit.json)
 // Made by: sgfit fit tokuyoshi_2024_refit
 // Form cosine_erf_stable: between the poles by the integral of a planar Gaussian times a clamped
@@ -1373,10 +1753,10 @@ vec3 sg_integrate_lobe(sg_lobe lobe)
 // Irradiance of a surface from one lobe of light: the integral of the lobe times
 // max(dot(w, normal), 0) over the sphere, in [0, pi amplitude] up to the method's error. For a
 // Lambertian surface the outgoing radiance is albedo/pi times this. axis and normal: unit length;
-// sharpness: the method's domain, see sg_A_h_tokuyoshi_2024_stable above.
+// sharpness: the method's domain, see sg_A_h_logistic_minimax above.
 vec3 sg_irradiance(vec3 amplitude, vec3 axis, float sharpness, vec3 normal)
 {
-    return amplitude * sg_A_h_tokuyoshi_2024_stable(sharpness, clamp(dot(axis, normal), -1.0, 1.0));
+    return amplitude * sg_A_h_logistic_minimax(sharpness, clamp(dot(axis, normal), -1.0, 1.0));
 }
 
 #endif

@@ -213,6 +213,7 @@ void methods_free(method_list *list)
         free(list->methods[i].path);
         free(list->methods[i].coefficients);
         free(list->methods[i].cost);
+        free(list->methods[i].instructions);
         cJSON_Delete(list->methods[i].json);
     }
     free(list->methods);

@@ -23,6 +23,7 @@ typedef struct method {
     measured f64, f32;
     const char *command; /* that makes the constants again, or NULL */
     char *cost;          /* from cost.csv, one line, or NULL */
+    char *instructions;  /* of A_h, from there, or NULL */
 } method;
 
 typedef struct method_list {

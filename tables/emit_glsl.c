@@ -96,41 +96,52 @@ static void write_helpers(buffer *out, const form_list *forms, const bool *neede
     }
 }
 
+static const char preface[] =
+    "// sg.glsl: integrals of spherical Gaussians against the clamped cosine.\n"
+    "// Written by `sgfit emit`; do not edit.\n"
+    "//\n"
+    "// To integrate: paste or #include this file after #version (450, 330, 300 es or later). It\n"
+    "// defines functions and one struct, all named sg_, and the guard SG_GLSL; no binding, no\n"
+    "// global, no other macro. In GLSL ES write `precision highp float;` before it: mediump is "
+    "half\n"
+    "// on many devices, for which none of the errors below hold. Then, per light:\n"
+    "//\n"
+    "//     irradiance += sg_irradiance(amplitude, axis, sharpness, normal);\n"
+    "//\n"
+    "// sg_irradiance calls sg_A_h_%s. Functions of one lobe of amplitude 1 take\n"
+    "// (lambda, cos_theta): its sharpness and dot(axis, normal).\n"
+    "//   A_h  integral of exp(lambda (dot(w, axis) - 1)) max(dot(w, normal), 0) over the sphere\n"
+    "//   L    A_h over the integral of the lobe alone: the same for a lobe that integrates to 1\n"
+    "//\n"
+    "// Errors are of L against the integral over 400 sharpnesses, logarithmic on [1e-3, 1e4], "
+    "times\n"
+    "// 1001 angles beta, uniform on [0, pi], as far as they lie in the method's domain. Costs "
+    "are\n"
+    "// instructions that RADV needs for the function on navi21, without the shader around it.\n"
+    "// Methods as published may fail at the ends of their domain; those named _stable are the "
+    "same\n"
+    "// models without that, and all others are stable too.\n"
+    "//\n"
+    "//   method                       max error  RMSE      A_h costs  what it is\n";
+
+static void index_line(buffer *out, const method *method)
+{
+    buffer_print(out, "//   %-28s ", method->id);
+    if (method->f32.given)
+        buffer_print(out, "%-9.2e  %-9.2e ", method->f32.max_abs, method->f32.rmse);
+    else
+        buffer_print(out, "%-9s  %-9s ", "-", "-");
+    buffer_print(out, "%-9s  %s\n", method->instructions ? method->instructions : "-",
+                 method->title);
+}
+
 static void introduction(buffer *out, const method_list *methods, const method *only,
                          const method *irradiance)
 {
-    buffer_add(
-        out, "// sg.glsl: integrals of spherical Gaussians against the clamped cosine.\n"
-             "// Written by `sgfit emit`; do not edit.\n"
-             "//\n"
-             "// To integrate: paste or #include this file after #version (450, 330, 300 es or "
-             "later). It\n"
-             "// defines functions and one struct, all named sg_, and the guard SG_GLSL; no "
-             "binding, no\n"
-             "// global, no other macro. In GLSL ES write `precision highp float;` before it: "
-             "mediump is\n"
-             "// half on many devices, for which none of the errors below hold. Then, per light:\n"
-             "//\n");
-    buffer_print(out,
-                 "//     irradiance += sg_irradiance(amplitude, axis, sharpness, normal);\n//\n"
-                 "// sg_irradiance calls sg_A_h_%s. Functions of one lobe of amplitude 1 take\n"
-                 "// (lambda, cos_theta): sharpness and dot(axis, normal).\n"
-                 "//   A_h  integral of exp(lambda (dot(w, axis) - 1)) max(dot(w, normal), 0) over "
-                 "the sphere\n"
-                 "//   L    A_h over the integral of the lobe alone: the same for a lobe that "
-                 "integrates to 1\n"
-                 "//\n// Methods, and the largest error of L in float:\n",
-                 irradiance->id);
+    buffer_print(out, preface, irradiance->id);
     for (size_t i = 0; i < methods->count; i++) {
-        const method *method = &methods->methods[i];
-        if (only && only != method && irradiance != method)
-            continue;
-        buffer_print(out, "//   %-28s ", method->id);
-        if (method->f32.given)
-            buffer_print(out, "%-9.3g ", method->f32.max_abs);
-        else
-            buffer_add(out, "          ");
-        buffer_print(out, "%s\n", method->title);
+        if (!only || only == &methods->methods[i])
+            index_line(out, &methods->methods[i]);
     }
     buffer_add(out, "#ifndef SG_GLSL\n#define SG_GLSL\n");
 }
