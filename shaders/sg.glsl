@@ -8,7 +8,7 @@
 //
 //     irradiance += sg_irradiance(amplitude, axis, sharpness, normal);
 //
-// sg_irradiance calls sg_A_h_logistic_minimax. Functions of one lobe of amplitude 1 take
+// sg_irradiance calls sg_A_h_standard. Functions of one lobe of amplitude 1 take
 // (lambda, cos_theta): its sharpness and dot(axis, normal).
 //   A_h  integral of exp(lambda (dot(w, axis) - 1)) max(dot(w, normal), 0) over the sphere
 //   L    A_h over the integral of the lobe alone: the same for a lobe that integrates to 1
@@ -21,7 +21,7 @@
 //
 //   method                       max error  RMSE      A_h costs  what it is
 //   wang_2009                    1.71e-01   4.91e-02  15         Cosine as a lobe, the common fit
-//   wang_2009_stable             1.70e-01   4.91e-02  107        Cosine as a lobe, the common fit, stable
+//   wang_2009_stable             1.35e-01   4.08e-02  107        Cosine as a lobe, the common fit, stable
 //   pettineo_hill_2016           3.67e-02   5.28e-03  22         Fitted irradiance of Pettineo and Hill
 //   pettineo_hill_2016_stable    3.67e-02   4.55e-03  84         Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
 //   tokuyoshi_2016               1.54e-01   5.37e-02  15         Cosine as a lobe of sharpness 2
@@ -30,7 +30,7 @@
 //   constant_cosine_stable       7.50e-01   2.56e-01  29         Cosine constant over the lobe, stable
 //   meder_2018                   inf        inf       38         Logistic between the poles
 //   meder_2018_hg                3.48e-02   3.24e-03  75         Hemispherical Gaussians, logistic
-//   meder_2018_hg_stable         1.11e-02   2.92e-03  333        Hemispherical Gaussians, logistic, stable
+//   meder_2018_hg_stable         1.11e-02   2.86e-03  333        Hemispherical Gaussians, logistic, stable
 //   meder_2018_stable            5.28e-03   7.98e-04  99         Logistic between the poles, stable
 //   tokuyoshi_2022               3.93e-03   5.60e-04  322        Hemispherical Gaussians, error function
 //   tokuyoshi_2022_stable        3.69e-03   5.57e-04  401        Hemispherical Gaussians, error function, stable
@@ -45,7 +45,7 @@
 //   medium                       9.82e-05   3.09e-05  -          Root over a Gaussian bell, two terms
 //   positive                     5.05e-04   2.56e-04  -          Root with a true tail
 //   quick                        9.88e-04   4.25e-04  -          Root over a quartic bell
-//   standard                     6.50e-06   4.17e-06  -          Root over a Gaussian bell, three terms
+//   standard                     8.98e-06   4.32e-06  -          Root over a Gaussian bell, three terms
 //   tokuyoshi_2022_minimax       2.88e-03   5.92e-04  401        Hemispherical Gaussians, error function, minimax
 //   tokuyoshi_2022_refit         2.98e-03   4.78e-04  401        Hemispherical Gaussians, error function, least squares
 //   tokuyoshi_2024_minimax       1.19e-03   2.33e-04  202        Planar Gaussian between the poles, minimax
@@ -328,8 +328,8 @@ float sg_L_wang_2009(float lambda, float cos_theta)
 // sg_L_wang_2009_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
-//   double  max 0.17 at lambda 1e+04, beta 0 (cos_theta 1); RMSE 0.0491
+//   float   max 0.135 at lambda 1e+04, beta 1.577 (cos_theta -0.006283); RMSE 0.0408
+//   double  max 0.135 at lambda 1e+04, beta 1.577 (cos_theta -0.006283); RMSE 0.0408
 // Cost on navi21: L 82 instructions, inverse throughput 89; A_h 107 instructions, inverse
 //   throughput 120
 // Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
@@ -653,8 +653,8 @@ float sg_L_meder_2018_hg(float lambda, float cos_theta)
 // sg_L_meder_2018_hg_stable returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00292
-//   double  max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00292
+//   float   max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00286
+//   double  max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00286
 // Cost on navi21: L 313 instructions, inverse throughput 548; A_h 333 instructions, inverse
 //   throughput 576
 // Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
@@ -1420,9 +1420,10 @@ float sg_A_h_quick(float lambda, float cos_theta)
 // sg_L_standard returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 6.5e-06 at lambda 7.848, beta 0.2639 (cos_theta 0.9654); RMSE 4.17e-06
-//   double  max 6.41e-06 at lambda 6.677, beta 1.561 (cos_theta 0.009425); RMSE 4.17e-06
-// Source: fit/recipes/standard.json
+//   float   max 8.98e-06 at lambda 127.4, beta 0.05027 (cos_theta 0.9987); RMSE 4.32e-06
+//   double  max 8.92e-06 at lambda 132.7, beta 0 (cos_theta 1); RMSE 4.32e-06
+// Source: sgfit fit standard (fit/recipes/standard.json)
+// Made by: sgfit fit standard
 // Form root_bell_3: half the odd part and a root, over a Gaussian bell with three terms. With p = z
 // m / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T + 2 |p|), T
 // = L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds, and t is an even analytic function
@@ -1433,32 +1434,32 @@ float sg_A_h_quick(float lambda, float cos_theta)
 // vanished long before.
 float sg_L_standard(float lambda, float cos_theta)
 {
-    const float b = 8.2038203726694;
-    const float b1 = 150.27307188293665;
-    const float b2 = 95.57526212321831;
-    const float m1 = -0.4989122397310673;
-    const float m2 = 1.934458589023129;
-    const float m3 = -0.16008655800931593;
-    const float m4 = -1.558075460398488;
-    const float e0 = 0.15906558575788787;
-    const float e1 = -0.11444126214898115;
-    const float e2 = 0.54017945361563;
-    const float e3 = 0.4793224160802388;
-    const float k0 = 0.7436635981421618;
-    const float k1 = -1.2255503882802372;
-    const float k2 = -4.998406516805243;
-    const float k3 = 8.505565438642295;
-    const float a0 = -0.008776759709495078;
-    const float a1 = -0.0617480880680894;
-    const float a2 = -0.7070708844773897;
-    const float c0 = 9.009493349943205e-4;
-    const float c1 = -0.022956379642025314;
-    const float c2 = 0.09529300801676728;
-    const float c3 = 0.32136401748579796;
-    const float d0 = -4.6353304931374e-5;
-    const float d1 = 5.534376053413136e-4;
-    const float d2 = 0.013611076081906695;
-    const float d3 = -0.06456753020433458;
+    const float b = 8.23571827890773;
+    const float b1 = 139.528579059543;
+    const float b2 = 89.33157201501581;
+    const float m1 = -0.4986419578041977;
+    const float m2 = 1.9300281211289334;
+    const float m3 = -0.14256498660420178;
+    const float m4 = -1.5303620453996434;
+    const float e0 = 0.15903524428267782;
+    const float e1 = -0.11338186379441474;
+    const float e2 = 0.5313497417225995;
+    const float e3 = 0.5043184555885236;
+    const float k0 = 1.0495683500315878;
+    const float k1 = 0.16210977468762056;
+    const float k2 = -7.38009013863948;
+    const float k3 = 7.929695082107794;
+    const float a0 = 0.025620620798821825;
+    const float a1 = 0.04032895924634328;
+    const float a2 = -0.7245122023388973;
+    const float c0 = 0.0020991709743159452;
+    const float c1 = 0.01639726089561413;
+    const float c2 = -0.4017136659143325;
+    const float c3 = 0.7543057635066314;
+    const float d0 = 2.7132295973082335e-4;
+    const float d1 = -0.008641217741449637;
+    const float d2 = 0.006879484710640265;
+    const float d3 = 0.03571040338194324;
     float l = min(lambda, 1e18);
     float h = l * l + b;
     float s = inversesqrt(h + b1 / (h + b2));
@@ -1753,10 +1754,10 @@ vec3 sg_integrate_lobe(sg_lobe lobe)
 // Irradiance of a surface from one lobe of light: the integral of the lobe times
 // max(dot(w, normal), 0) over the sphere, in [0, pi amplitude] up to the method's error. For a
 // Lambertian surface the outgoing radiance is albedo/pi times this. axis and normal: unit length;
-// sharpness: the method's domain, see sg_A_h_logistic_minimax above.
+// sharpness: the method's domain, see sg_A_h_standard above.
 vec3 sg_irradiance(vec3 amplitude, vec3 axis, float sharpness, vec3 normal)
 {
-    return amplitude * sg_A_h_logistic_minimax(sharpness, clamp(dot(axis, normal), -1.0, 1.0));
+    return amplitude * sg_A_h_standard(sharpness, clamp(dot(axis, normal), -1.0, 1.0));
 }
 
 #endif

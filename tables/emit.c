@@ -35,6 +35,17 @@ static bool find_irradiance(sources *from)
     return true;
 }
 
+/* Whatever the writers could refuse is refused here, before anything is written. */
+static bool can_be_written(const sources *from)
+{
+    buffer trial = {0};
+    bool good = emit_glsl(&trial, &from->forms, &from->methods, NULL, from->lobe_path, from->lobe,
+                          from->irradiance) &&
+                emit_table_glsl(&trial, &from->forms, from->table_path, from->table);
+    buffer_free(&trial);
+    return good;
+}
+
 static bool read_sources(sources *from, const char *root, const char *tables)
 {
     char *forms = base_join(root, "shaders/forms"), *constants = base_join(tables, "constants");
@@ -45,7 +56,8 @@ static bool read_sources(sources *from, const char *root, const char *tables)
                 methods_read(&from->methods, constants, &from->forms) &&
                 methods_read_costs(&from->methods, cost) &&
                 (from->lobe = base_read_file(from->lobe_path, NULL)) &&
-                (from->table = base_read_file(from->table_path, NULL)) && find_irradiance(from);
+                (from->table = base_read_file(from->table_path, NULL)) && find_irradiance(from) &&
+                can_be_written(from);
     free(forms);
     free(constants);
     free(cost);
@@ -82,23 +94,25 @@ static bool write_shader(const sources *from, const char *path, const method *on
     return good;
 }
 
-/* What follows from the forms and constants alone. */
+/* What follows from the forms and constants alone: all made before the first is written. */
 static bool write_texts(const sources *from, const char *out, const char *shaders)
 {
-    buffer text = {0};
-    emit_forms_inc(&text, &from->forms);
-    bool good = write_out(&text, out, "forms.inc");
-    emit_methods_inc(&text, &from->methods);
-    good = write_out(&text, out, "methods.inc") && good;
-    emit_registry_inc(&text, &from->forms, &from->methods);
-    good = write_out(&text, out, "registry.inc") && good;
-    char *shader = base_join(shaders, "sg.glsl");
-    good = write_shader(from, shader, NULL) && good;
-    free(shader);
-    if (emit_table_glsl(&text, &from->forms, from->table_path, from->table))
-        return write_out(&text, shaders, "sg_table.glsl") && good;
-    buffer_free(&text);
-    return false;
+    enum { FORMS, METHODS, REGISTRY, SHADER, TABLE, TEXTS };
+    static const char *const names[TEXTS] = {"forms.inc", "methods.inc", "registry.inc", "sg.glsl",
+                                             "sg_table.glsl"};
+    buffer texts[TEXTS] = {{0}};
+    emit_forms_inc(&texts[FORMS], &from->forms);
+    emit_methods_inc(&texts[METHODS], &from->methods);
+    emit_registry_inc(&texts[REGISTRY], &from->forms, &from->methods);
+    bool good = emit_glsl(&texts[SHADER], &from->forms, &from->methods, NULL, from->lobe_path,
+                          from->lobe, from->irradiance) &&
+                emit_table_glsl(&texts[TABLE], &from->forms, from->table_path, from->table);
+    for (int i = 0; i < TEXTS; i++) {
+        if (good)
+            good = write_out(&texts[i], i < SHADER ? out : shaders, names[i]);
+        buffer_free(&texts[i]);
+    }
+    return good;
 }
 
 /* What follows from the integral. */

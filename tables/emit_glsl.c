@@ -57,7 +57,8 @@ static bool plain_text(buffer *out, const form_list *forms, const char *path, co
     buffer bound = {0};
     token *tokens = NULL;
     size_t count;
-    while (strncmp(text, "//", 2) == 0) {
+    int line = 1;
+    for (; strncmp(text, "//", 2) == 0; line++) {
         text += strcspn(text, "\n");
         text += *text == '\n';
     }
@@ -66,7 +67,7 @@ static bool plain_text(buffer *out, const form_list *forms, const char *path, co
         buffer_add(&bound, method->id);
     }
     buffer_add(&bound, text);
-    bool good = form_tokens(path, bound.text, 1, &tokens, &count);
+    bool good = form_tokens(path, bound.text, line, &tokens, &count);
     for (size_t i = 0; good && i < count; i++) {
         const token *at = &tokens[i];
         size_t helper = at->kind == TOKEN_NAME ? forms_helper(forms, at->start, at->length)

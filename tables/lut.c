@@ -74,7 +74,9 @@ static void readme(buffer *out, const double *as_float, const double *as_half)
         out,
         "# What is here\n\nWritten by `sgfit emit`; do not edit.\n\n"
         "- `forms.inc`, `methods.inc`, `registry.inc`: what libsg compiles of `shaders/forms` and "
-        "`tables/constants`. Equal to\n  the byte on every machine.\n"
+        "`tables/constants`. Equal to\n  the byte on every machine. Where a build stops at one of "
+        "them: `git checkout tables/out`, "
+        "build, correct the form,\n  `sgfit emit`.\n"
         "- `curves_c_s.csv`: Meder's c and s over lambda and beta (radians), ten "
         "decimals.\n"
         "- `curves_t_u.csv`: for each lambda the t and u with which `u/(exp(t |cos beta|) + 1)` "

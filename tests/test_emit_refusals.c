@@ -130,6 +130,20 @@ static void test_bad_constants_are_refused(void **state)
         method_refused(cases[i].from, cases[i].to, cases[i].place, cases[i].expected);
 }
 
+/* The plain GLSL texts, from which the lobe operations and the table's look-up come. */
+static void test_bad_plain_texts_are_refused(void **state)
+{
+    (void)state;
+    refused("shaders/forms/lobe.glsl", "// no method\n", "lobe.glsl:1:", "// method: ID");
+    refused("shaders/forms/lobe.glsl", "// method: no_such_method\n",
+            "lobe.glsl:1:", "that names a method");
+    refused("shaders/forms/lobe.glsl", "// method: test_method\n\nfloat x; /* no end\n",
+            "lobe.glsl:3:", "expected */");
+    copy_sources(&work);
+    refused("shaders/forms/table.glsl", "\n/* no end\n", "table.glsl:2:", "expected */");
+    copy_sources(&work);
+}
+
 static void test_bad_arguments_are_refused(void **state)
 {
     (void)state;
@@ -188,6 +202,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bad_forms_are_refused),
         cmocka_unit_test(test_bad_constants_are_refused),
+        cmocka_unit_test(test_bad_plain_texts_are_refused),
         cmocka_unit_test(test_bad_arguments_are_refused),
         cmocka_unit_test(test_failed_writes),
     };

@@ -1,4 +1,4 @@
-// method: logistic_minimax
+// method: standard
 // The vector entry points of sg.glsl: thin wrappers around the scalar helpers, plain GLSL.
 // `sgfit emit` puts the name of a method where sg_irradiance asks for one.
 
