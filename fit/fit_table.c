@@ -28,6 +28,32 @@ static const sg_form *complete(const constants_set *set, const recipe *r, const 
     return form;
 }
 
+/* What the other print of a constant costs. */
+static void score_beside(const constants_set *set, const recipe *r, recipe_result *result)
+{
+    const cJSON *file = constants_set_find(set, r->published);
+    const cJSON *id = cJSON_GetObjectItemCaseSensitive(file, "form");
+    const sg_form *form = cJSON_IsString(id) ? sg_form_find(id->valuestring) : NULL;
+    double k[FIT_MOST_PARAMETERS], infinity = (double)INFINITY;
+    bool any = false;
+    if (!form || form->coefficient_count > FIT_MOST_PARAMETERS ||
+        !constants_coefficients(set, file, form, k))
+        return;
+    score_form(form, k, 0.0, infinity, SCORE_F64, &result->score_published);
+    for (size_t i = 0; i < r->way.coefficient_count; i++) {
+        const recipe_coefficient *c = &r->way.coefficients[i];
+        for (int j = 0; c->where && j < form->coefficient_count; j++) {
+            if (strcmp(form->coefficient_names[j], c->name) == 0) {
+                k[j] = c->beside;
+                any = true;
+            }
+        }
+    }
+    if (any)
+        score_form(form, k, 0.0, infinity, SCORE_F64, &result->score_beside);
+    result->has_beside = any;
+}
+
 static void hold(const recipe *r, recipe_result *result, const char *what, double value, double bar)
 {
     if (!(value <= bar))
@@ -39,6 +65,9 @@ void fit_score_recipe(const constants_set *set, const recipe *r, recipe_result *
     double k[FIT_MOST_PARAMETERS];
     if (!result->own.usable)
         return;
+    for (size_t i = 0; i < r->way.coefficient_count; i++)
+        if (r->way.coefficients[i].where && !result->has_beside)
+            score_beside(set, r, result);
     const sg_form *form = complete(set, r, &result->own, k);
     if (form) {
         double infinity = (double)INFINITY;
@@ -113,9 +142,13 @@ static void constant_rows(const constants_set *set, const recipe *r, const recip
         if (r->published && !constants_published(set, r->published, c->name, &published))
             published = NAN;
         row(r, c->name, published, result->own.coefficients[i], c->bar, how, "");
-        if (c->where)
-            row(r, c->name, c->beside, result->own.coefficients[i], NAN, "as printed in ",
-                c->where);
+        if (c->where && result->has_beside) {
+            char cost[160];
+            snprintf(cost, sizeof cost,
+                     "%s; with it the method's maximum error of L is %.3g instead of %.3g",
+                     c->where, result->score_beside.max_abs, result->score_published.max_abs);
+            row(r, c->name, c->beside, result->own.coefficients[i], NAN, "as printed in ", cost);
+        }
         for (size_t t = 0; t < r->tried_count && !isnan(published); t++)
             if (r->tried[t].coefficients[i].free)
                 row(r, c->name, published, result->tried[t].coefficients[i], NAN,

@@ -85,8 +85,9 @@ static void add_score(cJSON *object, const score_result *score)
 }
 
 /* What is compared with what was published, fitted coefficients only. */
-static cJSON *comparison(const constants_set *set, const recipe *r, const way_result *result)
+static cJSON *comparison(const constants_set *set, const recipe *r, const recipe_result *whole)
 {
+    const way_result *result = &whole->own;
     cJSON *list = cJSON_CreateObject();
     for (size_t i = 0; i < r->way.coefficient_count; i++) {
         const recipe_coefficient *c = &r->way.coefficients[i];
@@ -100,6 +101,13 @@ static cJSON *comparison(const constants_set *set, const recipe *r, const way_re
         base_json_add_f64(one, "relative", fabs(ours - published) / fabs(published));
         if (!isnan(c->bar))
             base_json_add_f64(one, "bar", c->bar);
+        if (!c->where || !whole->has_beside)
+            continue;
+        cJSON *beside = cJSON_AddObjectToObject(one, "beside");
+        base_json_add_f64(beside, "value", c->beside);
+        cJSON_AddStringToObject(beside, "where", c->where);
+        base_json_add_f64(beside, "max_abs", whole->score_beside.max_abs);
+        base_json_add_f64(beside, "max_abs_published", whole->score_published.max_abs);
     }
     return list;
 }
@@ -167,7 +175,7 @@ cJSON *provenance_of(const constants_set *set, const recipe *r, const recipe_res
         base_json_add_f64(p, "residual_max", result->own.largest);
     }
     if (r->published)
-        cJSON_AddItemToObject(p, "constants", comparison(set, r, &result->own));
+        cJSON_AddItemToObject(p, "constants", comparison(set, r, result));
     if (result->scored)
         add_score(p, &result->score_f64);
     if (r->tried_count > 0)

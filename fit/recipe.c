@@ -12,6 +12,14 @@ static const cJSON *get(const recipe *r, const char *key)
     return cJSON_GetObjectItemCaseSensitive(r->json, key);
 }
 
+bool recipe_object(const recipe *r, const char *key, const cJSON *value, const char *const *names)
+{
+    if (cJSON_IsObject(value))
+        return base_json_only(value, r->path, names);
+    base_error("%s: key \"%s\": expected an object", r->path, key);
+    return false;
+}
+
 static bool read_kind(recipe *r)
 {
     static const char *const common[] = {
@@ -144,7 +152,7 @@ static bool read_published(recipe *r)
     }
     if (!published)
         return true;
-    if (!base_json_only(published, r->path, keys) ||
+    if (!recipe_object(r, "published", published, keys) ||
         !base_json_string(published, r->path, "method", &r->published) ||
         !base_json_object(published, r->path, "bars", &bars))
         return false;
@@ -156,7 +164,7 @@ static bool read_published(recipe *r)
     const cJSON *beside = cJSON_GetObjectItemCaseSensitive(published, "beside");
     for (const cJSON *item = beside ? beside->child : NULL; item; item = item->next) {
         recipe_coefficient *c = fitted(r, "beside", item->string);
-        if (!c || !base_json_only(item, r->path, beside_keys) ||
+        if (!c || !recipe_object(r, "published.beside", item, beside_keys) ||
             !base_json_f64(item, r->path, "value", &c->beside) ||
             !base_json_string(item, r->path, "where", &c->where))
             return false;
@@ -171,7 +179,7 @@ static bool read_writes(recipe *r)
     double year;
     if (!writes)
         return true;
-    if (!base_json_only(writes, r->path, keys) ||
+    if (!recipe_object(r, "writes", writes, keys) ||
         !base_json_string(writes, r->path, "id", &r->writes) ||
         !base_json_string(writes, r->path, "title", &r->writes_title) ||
         !base_json_f64(writes, r->path, "year", &year))
@@ -204,7 +212,7 @@ static bool read_bars(recipe *r)
         *values[i] = INFINITY;
     if (!bars)
         return true;
-    if (!base_json_only(bars, r->path, keys))
+    if (!recipe_object(r, "bars", bars, keys))
         return false;
     for (size_t i = 0; i < 4; i++)
         if (cJSON_GetObjectItemCaseSensitive(bars, keys[i]) &&
@@ -233,7 +241,7 @@ static bool read_tried(recipe *r)
     {
         recipe_way *way = &r->tried[r->tried_count++];
         *way = r->way;
-        if (!base_json_only(item, r->path, r->form ? keys : curve_keys) ||
+        if (!recipe_object(r, "tried", item, r->form ? keys : curve_keys) ||
             !base_json_string(item, r->path, "what", &way->what) ||
             !recipe_read_way(r, item, way, false))
             return false;

@@ -116,6 +116,10 @@ void recipe_free(recipe *r);
 const char *recipe_spacing_name(recipe_spacing spacing);
 const char *recipe_objective_name(recipe_objective objective);
 
+/* True if value is an object with no other keys than these; else one line that names the recipe's
+ * file and the key that value stands at. */
+bool recipe_object(const recipe *r, const char *key, const cJSON *value, const char *const *names);
+
 /* recipe_way.c: reads what a way may say, over what is in it already. is_whole: every part must
  * be there. */
 bool recipe_read_way(recipe *r, const cJSON *object, recipe_way *way, bool is_whole);

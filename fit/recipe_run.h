@@ -22,6 +22,9 @@ typedef struct recipe_result {
     way_result *tried; /* recipe's tried_count */
     bool scored;
     score_result score_f64, score_f32;
+    /* Where a constant has another print: the published method as it stands, and with that. */
+    bool has_beside;
+    score_result score_published, score_beside;
     bool failed;
     char why[256]; /* of a failure: one line */
 } recipe_result;

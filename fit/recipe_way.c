@@ -66,7 +66,7 @@ static bool read_domain(const recipe *r, const cJSON *domain, recipe_way *way)
     static const char *const keys[] = {"lambda", "beta", NULL};
     static const char *const root_keys[] = {"lambda", NULL};
     bool root = r->kind == RECIPE_ROOT;
-    return base_json_only(domain, r->path, root ? root_keys : keys) &&
+    return recipe_object(r, "domain", domain, root ? root_keys : keys) &&
            read_range(r->path, domain, "lambda", 1e-12, 1e12, &way->lambda) &&
            (root || read_range(r->path, domain, "beta", 0.0, 180.0, &way->angle));
 }
@@ -78,7 +78,7 @@ static bool read_axis(const recipe *r, const cJSON *grid, const char *key, int f
     const cJSON *object;
     const char *spacing;
     double count;
-    if (!base_json_object(grid, r->path, key, &object) || !base_json_only(object, r->path, keys) ||
+    if (!base_json_object(grid, r->path, key, &object) || !recipe_object(r, key, object, keys) ||
         !base_json_string(object, r->path, "spacing", &spacing) ||
         !base_json_f64(object, r->path, "count", &count))
         return false;
@@ -98,7 +98,7 @@ static bool read_axis(const recipe *r, const cJSON *grid, const char *key, int f
 static bool read_grid(const recipe *r, const cJSON *grid, recipe_way *way)
 {
     static const char *const keys[] = {"lambda", "angle", NULL};
-    if (!base_json_only(grid, r->path, keys) ||
+    if (!recipe_object(r, "grid", grid, keys) ||
         !read_axis(r, grid, "lambda", SPACING_LOG, SPACING_BETA, &way->lambda) ||
         !read_axis(r, grid, "angle", SPACING_BETA, SPACING_COS + 1, &way->angle))
         return false;
@@ -135,7 +135,7 @@ static bool read_weights(const recipe *r, const cJSON *weights, recipe_way *way)
                    r->path);
         return false;
     }
-    return base_json_only(weights, r->path, keys) &&
+    return recipe_object(r, "weights", weights, keys) &&
            (!get(weights, "lambda") ||
             base_json_f64(weights, r->path, "lambda", &way->weight_lambda)) &&
            (!get(weights, "value") ||

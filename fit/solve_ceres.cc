@@ -47,6 +47,46 @@ class Residuals : public ceres::CostFunction
     mutable std::vector<double> columns_, work_;
 };
 
+std::vector<int> parameters_on_bounds(const fit_problem *problem, const double *parameters)
+{
+    std::vector<int> found;
+    for (int j = 0; j < static_cast<int>(problem->parameter_count); j++)
+        if (parameters[j] <= problem->lower[j] || parameters[j] >= problem->upper[j])
+            found.push_back(j);
+    return found;
+}
+
+ceres::Solver::Summary solve_once(const fit_problem *problem, const fit_options *options,
+                                  const std::vector<int> &held, double *parameters)
+{
+    const int count = static_cast<int>(problem->parameter_count);
+    ceres::Problem ceres_problem;
+    ceres_problem.AddResidualBlock(new Residuals(problem), nullptr, parameters);
+    for (int j = 0; j < count; j++) {
+        if (std::isfinite(problem->lower[j]))
+            ceres_problem.SetParameterLowerBound(parameters, j, problem->lower[j]);
+        if (std::isfinite(problem->upper[j]))
+            ceres_problem.SetParameterUpperBound(parameters, j, problem->upper[j]);
+    }
+    if (!held.empty())
+        ceres_problem.SetManifold(parameters, new ceres::SubsetManifold(count, held));
+
+    ceres::Solver::Options solver;
+    solver.linear_solver_type = ceres::DENSE_QR;
+    solver.num_threads = 1;
+    solver.logging_type = ceres::SILENT;
+    solver.max_num_iterations = options->most_iterations;
+    solver.parameter_tolerance = options->tolerance;
+    // Sums of squares are flat at their minimum: these two would stop long before the parameters
+    // have settled.
+    solver.function_tolerance = 1e-30;
+    solver.gradient_tolerance = 1e-30;
+
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver, &ceres_problem, &summary);
+    return summary;
+}
+
 } // namespace
 
 const char *fit_ceres_version(void)
@@ -67,32 +107,22 @@ void fit_solve_ceres(const fit_problem *problem, const fit_options *options, fit
     for (int j = 0; j < count; j++)
         result->parameters[j] = problem->start[j];
 
-    ceres::Problem ceres_problem;
-    ceres_problem.AddResidualBlock(new Residuals(problem), nullptr, result->parameters);
-    for (int j = 0; j < count; j++) {
-        if (std::isfinite(problem->lower[j]))
-            ceres_problem.SetParameterLowerBound(result->parameters, j, problem->lower[j]);
-        if (std::isfinite(problem->upper[j]))
-            ceres_problem.SetParameterUpperBound(result->parameters, j, problem->upper[j]);
-    }
-
-    ceres::Solver::Options solver;
-    solver.linear_solver_type = ceres::DENSE_QR;
-    solver.num_threads = 1;
-    solver.logging_type = ceres::SILENT;
-    solver.max_num_iterations = options->most_iterations;
-    solver.parameter_tolerance = options->tolerance;
-    // Sums of squares are flat at their minimum: these two would stop long before the parameters
-    // have settled.
-    solver.function_tolerance = 1e-30;
-    solver.gradient_tolerance = 1e-30;
-
+    // Ceres projects steps onto bounds and may then stop short along them: what has come to rest on
+    // a bound is held there while the others go on.
     ceres::Solver::Summary summary;
-    ceres::Solve(solver, &ceres_problem, &summary);
+    std::vector<int> held;
+    for (int round = 0; round < 4; round++) {
+        summary = solve_once(problem, options, held, result->parameters);
+        result->iterations +=
+            static_cast<int>(summary.num_successful_steps + summary.num_unsuccessful_steps);
+        const std::vector<int> on_bound = parameters_on_bounds(problem, result->parameters);
+        if (!summary.IsSolutionUsable() || on_bound == held ||
+            on_bound.size() == problem->parameter_count)
+            break;
+        held = on_bound;
+    }
     std::snprintf(result->status, sizeof result->status, "%s",
                   ceres::TerminationTypeToString(summary.termination_type));
-    result->iterations =
-        static_cast<int>(summary.num_successful_steps + summary.num_unsuccessful_steps);
 
     std::vector<double> residuals(problem->sample_count);
     const bool finite = fit_residuals(problem, result->parameters, residuals.data());
