@@ -23,9 +23,7 @@
 
 #define SG_METHOD(ID, FORM, NATIVE, ...)                                                           \
     SG_COEFFICIENTS(ID, __VA_ARGS__)                                                               \
-    SG_CORES(ID, FORM, NATIVE)                                                                     \
-    SG_SINGLE(A_h, ID, float)                                                                      \
-    SG_SINGLE(L, ID, float)
+    SG_SINGLES_##NATIVE(ID, FORM, float)
 #include "../../tables/out/methods.inc"
 
 /* Callers hold coefficients as float. */

@@ -1,4 +1,4 @@
-/* methods_f64.c: every form and method in float. */
+/* methods_f32.c: every form and method in float. */
 #define SG_PRECISION 32
 #include "real.h"
 
@@ -6,13 +6,12 @@
 
 #include "../../tables/out/forms.inc"
 
+SG_BATCH_CONVERSION(A_h, L)
+SG_BATCH_CONVERSION(L, A_h)
+
 #define SG_METHOD(ID, FORM, NATIVE, ...)                                                           \
     SG_COEFFICIENTS(ID, __VA_ARGS__)                                                               \
-    SG_CORES(ID, FORM, NATIVE)                                                                     \
-    SG_SINGLE(A_h, ID, float)                                                                      \
-    SG_SINGLE(L, ID, float)                                                                        \
-    SG_BATCH(A_h, ID)                                                                              \
-    SG_BATCH(L, ID)
+    SG_SINGLES_##NATIVE(ID, FORM, float) SG_BATCHES_##NATIVE(ID, FORM)
 #include "../../tables/out/methods.inc"
 
 #define SG_FORM_ROW(FORM, NATIVE, COUNT, ...) SG_FORM_FUNCTION(FORM)

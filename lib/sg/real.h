@@ -103,13 +103,13 @@ SG_FUNCTION_1(exp2, exp2)
 SG_INLINE sg_real SG_exp(sg_real x)
 {
     bool vanishes = x < SG_K(SG_EXP_MIN);
-    sg_real value = SG_LIBM(exp)(vanishes ? SG_K(SG_EXP_MIN) : x);
+    sg_real value = SG_LIBM(exp)(vanishes ? SG_K(0.0) : x);
     return vanishes ? SG_K(0.0) : value;
 }
 SG_INLINE sg_real SG_exp2(sg_real x)
 {
     bool vanishes = x < SG_K(SG_EXP2_MIN);
-    sg_real value = SG_LIBM(exp2)(vanishes ? SG_K(SG_EXP2_MIN) : x);
+    sg_real value = SG_LIBM(exp2)(vanishes ? SG_K(0.0) : x);
     return vanishes ? SG_K(0.0) : value;
 }
 #endif
