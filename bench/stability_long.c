@@ -14,12 +14,15 @@
 
 #include "../tables/out/forms.inc"
 
+#define SG_L_FROM_L(value, lambda, cos_theta) (value)
+
 #define SG_METHOD(ID, FORM, NATIVE, ...)                                                           \
     SG_COEFFICIENTS(ID, __VA_ARGS__)                                                               \
-    SG_CORES(ID, FORM, NATIVE)                                                                     \
     static double long_##ID(double lambda, double cos_theta)                                       \
     {                                                                                              \
-        return (double)SG_NAME(core_L_##ID)((SG_REAL)lambda, (SG_REAL)cos_theta);                  \
+        SG_REAL value = SG_NAME(form_##FORM)((SG_REAL)lambda, (SG_REAL)cos_theta,                  \
+                                             SG_NAME(sg_coefficients_##ID));                       \
+        return (double)SG_L_FROM_##NATIVE(value, (SG_REAL)lambda, (SG_REAL)cos_theta);             \
     }
 #include "../tables/out/methods.inc"
 #undef SG_METHOD
