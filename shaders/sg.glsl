@@ -44,7 +44,7 @@
 //   meder_2018_refit             2.91e-03   4.70e-04  99         Logistic between the poles, least squares
 //   medium                       9.82e-05   3.09e-05  -          Root over a Gaussian bell, two terms
 //   positive                     5.05e-04   2.56e-04  -          Root with a true tail
-//   quick                        9.88e-04   4.25e-04  -          Root over a quartic bell
+//   quick                        9.99e-04   5.10e-04  -          Root over a quartic bell
 //   standard                     8.98e-06   4.32e-06  -          Root over a Gaussian bell, three terms
 //   tokuyoshi_2022_minimax       2.88e-03   5.92e-04  401        Hemispherical Gaussians, error function, minimax
 //   tokuyoshi_2022_refit         2.98e-03   4.78e-04  401        Hemispherical Gaussians, error function, least squares
@@ -1378,8 +1378,8 @@ float sg_A_h_positive(float lambda, float cos_theta)
 // sg_L_quick returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 0.000988 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.000425
-//   double  max 0.000988 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.000425
+//   float   max 0.000999 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.00051
+//   double  max 0.000999 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.00051
 // Source: sgfit fit quick (fit/recipes/quick.json)
 // Made by: sgfit fit quick
 // Form root_quartic: half the odd part and a root, over a quartic bell: the cheapest of the family.
@@ -1390,13 +1390,13 @@ float sg_A_h_positive(float lambda, float cos_theta)
 // (lambda z)^2 and cut off at 0. lambda is held where its square is a float.
 float sg_L_quick(float lambda, float cos_theta)
 {
-    const float b = 5.5306808871988995;
-    const float m1 = -0.48258606188910375;
-    const float m2 = 1.1701756816963254;
-    const float m3 = -1.5096961882152633;
-    const float e0 = 0.6241675240741259;
-    const float e1 = -0.010077925329274689;
-    const float k0 = 0.07764021138722792;
+    const float b = 5.504155697909386;
+    const float m1 = -0.4827185320775348;
+    const float m2 = 1.16415898334368;
+    const float m3 = -1.5040733086253202;
+    const float e0 = 0.6241216896006975;
+    const float e1 = -0.01032168726301996;
+    const float k0 = 0.07763535592966624;
     float l = min(lambda, 1e18);
     float s = inversesqrt(l * l + b);
     float a = l * cos_theta;
