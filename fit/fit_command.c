@@ -185,34 +185,13 @@ static int work(fit_run *run, const char *out, bool only_check)
     return write_all(run, out) ? BASE_DONE : BASE_FAILED;
 }
 
-int fit_command(int argc, char **argv)
+/* `sgfit fit RECIPE ...` */
+static int fit_recipes(int count, char **names, const char *out, bool list, bool check)
 {
-    bool list = false, check = false;
-    const char *out = NULL;
-    const base_option options[] = {
-        {"list", BASE_FLAG, &list, NULL, "lists the recipes and ends", NULL},
-        {"out", BASE_STRING, &out, "DIR",
-         "writes the constants there (default: tables/constants of the source tree)", NULL},
-        {"check", BASE_FLAG, &check, NULL,
-         "writes nothing; fails where a constant of the tree is further from\n"
-         "the new one than its recipe allows",
-         NULL},
-    };
-    const base_usage usage = {
-        "fit", "[options] [RECIPE ...]",
-        "Runs recipes of fit/recipes (default: all; a name or a file), prints every constant "
-        "beside\n"
-        "the published one, and writes tables/constants. Nothing is written if one fails."};
-    int positional = 0;
-    int status = base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options,
-                                    &positional);
-    if (status >= 0)
-        return status;
-
     fit_run run = {0};
     char *folder = out ? strdup(out) : base_join(base_source_root(), "tables/constants");
-    status = BASE_USAGE;
-    if (read_recipes(&run, positional, argv + 1)) {
+    int status = BASE_USAGE;
+    if (read_recipes(&run, count, names)) {
         if (list) {
             list_recipes(&run);
             status = BASE_DONE;
@@ -232,4 +211,72 @@ int fit_command(int argc, char **argv)
     constants_set_free(&run.constants);
     free(folder);
     return status;
+}
+
+int (*fit_profile)(const fit_profile_request *request);
+
+/* `sgfit fit --profile FILE`: checks what was asked for. */
+static int fit_to_profile(const fit_profile_request *request, bool recipes)
+{
+    if (recipes)
+        base_error("fit: --profile goes without recipes, --list and --check");
+    else if (request->budget_given && !(request->budget >= 1.0))
+        base_error("fit: --budget: expected at least 1 instruction, found %g", request->budget);
+    else if (request->max_error_given && !(request->max_error > 0.0))
+        base_error("fit: --max-error: expected an error above 0, found %g", request->max_error);
+    else if (!fit_profile)
+        base_error("fit: --profile: this program was built without it");
+    else
+        return fit_profile(request);
+    return BASE_USAGE;
+}
+
+int fit_command(int argc, char **argv)
+{
+    bool list = false, check = false, metric_given = false;
+    const char *metric = "rmse";
+    fit_profile_request profile = {0};
+    const base_option options[] = {
+        {"list", BASE_FLAG, &list, NULL, "lists the recipes and ends", NULL},
+        {"out", BASE_STRING, &profile.out, "DIR",
+         "writes the constants there (default: tables/constants of the source tree);\n"
+         "with --profile a file, and nothing where it is not given",
+         NULL},
+        {"check", BASE_FLAG, &check, NULL,
+         "writes nothing; fails where a constant of the tree is further from\n"
+         "the new one than its recipe allows",
+         NULL},
+        {"profile", BASE_STRING, &profile.profile, "FILE",
+         "instead of recipes: fits our forms, with no more terms than needed, to a CSV of\n"
+         "lambda, cos_theta and weight, and prints what each candidate costs there",
+         NULL},
+        {"budget", BASE_F64, &profile.budget, "N",
+         "with --profile: the least error within N GPU instructions", &profile.budget_given},
+        {"max-error", BASE_F64, &profile.max_error, "E",
+         "with --profile: the fewest instructions whose error stays under E (default,\n"
+         "without --budget: the error of the cheapest tier on that profile)",
+         &profile.max_error_given},
+        {"metric", BASE_CHOICE, &metric, "max|rmse", "with --profile: which error (default: rmse)",
+         &metric_given},
+        {"emit", BASE_STRING, &profile.emit, "FILE",
+         "with --profile: writes the shader include with sg_L_profile and sg_A_h_profile", NULL},
+    };
+    const base_usage usage = {
+        "fit", "[options] [RECIPE ...]",
+        "Runs recipes of fit/recipes (default: all; a name or a file), prints every constant "
+        "beside\n"
+        "the published one, and writes tables/constants. Nothing is written if one fails."};
+    int positional = 0;
+    int status = base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options,
+                                    &positional);
+    if (status >= 0)
+        return status;
+    profile.by_max = strcmp(metric, "max") == 0;
+    if (profile.profile)
+        return fit_to_profile(&profile, positional > 0 || list || check);
+    if (profile.budget_given || profile.max_error_given || metric_given || profile.emit) {
+        base_error("fit: --budget, --max-error, --metric and --emit go with --profile FILE");
+        return BASE_USAGE;
+    }
+    return fit_recipes(positional, argv + 1, profile.out, list, check);
 }

@@ -8,6 +8,7 @@
 #include "base/options.h"
 #include "base/text.h"
 #include "bench/bench.h"
+#include "bench/profile_fit.h"
 #include "fit/fit.h"
 #include "sg.h"
 #include "tables/tables.h"
@@ -74,6 +75,7 @@ static int run(int argc, char **argv)
 int main(int argc, char **argv)
 {
     occupy_standard_streams();
+    fit_profile = profile_fit;
     int status = run(argc, argv);
     /* A command that has already told of its failure has said its one line. */
     if (status != BASE_DONE) {
