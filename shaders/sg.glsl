@@ -25,29 +25,29 @@
 //   pettineo_hill_2016           3.67e-02   5.28e-03  22         Fitted irradiance of Pettineo and Hill
 //   pettineo_hill_2016_stable    3.67e-02   4.55e-03  84         Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
 //   tokuyoshi_2016               1.54e-01   5.37e-02  15         Cosine as a lobe of sharpness 2
-//   tokuyoshi_2016_stable        1.53e-01   5.37e-02  105        Cosine as a lobe of sharpness 2, stable
+//   tokuyoshi_2016_stable        1.53e-01   5.37e-02  106        Cosine as a lobe of sharpness 2, stable
 //   constant_cosine              7.50e-01   2.56e-01  8          Cosine constant over the lobe
 //   constant_cosine_stable       7.50e-01   2.56e-01  29         Cosine constant over the lobe, stable
 //   meder_2018                   inf        inf       38         Logistic between the poles
 //   meder_2018_hg                3.48e-02   3.24e-03  75         Hemispherical Gaussians, logistic
-//   meder_2018_hg_stable         1.11e-02   2.86e-03  333        Hemispherical Gaussians, logistic, stable
+//   meder_2018_hg_stable         1.11e-02   2.86e-03  316        Hemispherical Gaussians, logistic, stable
 //   meder_2018_stable            5.28e-03   7.98e-04  99         Logistic between the poles, stable
 //   tokuyoshi_2022               3.93e-03   5.60e-04  322        Hemispherical Gaussians, error function
-//   tokuyoshi_2022_stable        3.69e-03   5.57e-04  401        Hemispherical Gaussians, error function, stable
+//   tokuyoshi_2022_stable        3.69e-03   5.57e-04  384        Hemispherical Gaussians, error function, stable
 //   tokuyoshi_2024               1.28e-03   1.94e-04  219        Planar Gaussian between the poles
 //   tokuyoshi_2024_stable        1.28e-03   1.94e-04  202        Planar Gaussian between the poles, stable
-//   brisk                        4.79e-04   2.40e-04  -          Root over a Gaussian bell, one term
-//   fine                         5.28e-07   1.96e-07  -          Root over a Gaussian bell, five terms
+//   brisk                        4.79e-04   2.40e-04  47         Root over a Gaussian bell, one term
+//   fine                         5.28e-07   1.96e-07  94         Root over a Gaussian bell, five terms
 //   logistic_minimax             6.61e-04   1.36e-04  108        Logistic with the exact limits, minimax
 //   logistic_refit               7.33e-04   1.15e-04  108        Logistic with the exact limits, least squares
 //   meder_2018_minimax           2.31e-03   5.21e-04  99         Logistic between the poles, minimax
 //   meder_2018_refit             2.91e-03   4.70e-04  99         Logistic between the poles, least squares
-//   medium                       9.82e-05   3.09e-05  -          Root over a Gaussian bell, two terms
-//   positive                     5.05e-04   2.56e-04  -          Root with a true tail
-//   quick                        9.99e-04   5.10e-04  -          Root over a quartic bell
-//   standard                     8.98e-06   4.32e-06  -          Root over a Gaussian bell, three terms
-//   tokuyoshi_2022_minimax       2.88e-03   5.92e-04  401        Hemispherical Gaussians, error function, minimax
-//   tokuyoshi_2022_refit         2.98e-03   4.78e-04  401        Hemispherical Gaussians, error function, least squares
+//   medium                       9.82e-05   3.09e-05  53         Root over a Gaussian bell, two terms
+//   positive                     5.05e-04   2.56e-04  76         Root with a true tail
+//   quick                        9.99e-04   5.10e-04  46         Root over a quartic bell
+//   standard                     8.98e-06   4.32e-06  71         Root over a Gaussian bell, three terms
+//   tokuyoshi_2022_minimax       2.88e-03   5.92e-04  384        Hemispherical Gaussians, error function, minimax
+//   tokuyoshi_2022_refit         2.98e-03   4.78e-04  384        Hemispherical Gaussians, error function, least squares
 //   tokuyoshi_2024_minimax       1.19e-03   2.33e-04  202        Planar Gaussian between the poles, minimax
 //   tokuyoshi_2024_refit         1.22e-03   1.93e-04  202        Planar Gaussian between the poles, least squares
 #ifndef SG_GLSL
@@ -494,8 +494,8 @@ float sg_L_tokuyoshi_2016(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
 //   double  max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
-// Cost on navi21: L 80 instructions, inverse throughput 85; A_h 105 instructions, inverse
-//   throughput 116
+// Cost on navi21: L 81 instructions, inverse throughput 87; A_h 106 instructions, inverse
+//   throughput 118
 // Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
 //   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
 // Form lobe_product_stable: the clamped cosine as one lobe about the normal; exponent and integrals
@@ -655,8 +655,8 @@ float sg_L_meder_2018_hg(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00286
 //   double  max 0.0111 at lambda 10, beta 1.122 (cos_theta 0.4343); RMSE 0.00286
-// Cost on navi21: L 313 instructions, inverse throughput 548; A_h 333 instructions, inverse
-//   throughput 576
+// Cost on navi21: L 296 instructions, inverse throughput 518; A_h 316 instructions, inverse
+//   throughput 546
 // Source: Meder and Bruederlin, Hemispherical Gaussians for Accurate Light Integration, 2018; the
 //   offset as public implementations carry it (Tokuyoshi's poster prints 31.703); cosine_scale =
 //   32.708 e^-0.0315, cosine_rest = cosine_scale - 31.7003
@@ -822,8 +822,8 @@ float sg_A_h_tokuyoshi_2022(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00369 at lambda 5.915, beta 0.955 (cos_theta 0.5776); RMSE 0.000557
 //   double  max 0.00369 at lambda 5.915, beta 0.9519 (cos_theta 0.5801); RMSE 0.000557
-// Cost on navi21: L 381 instructions, inverse throughput 624; A_h 401 instructions, inverse
-//   throughput 651
+// Cost on navi21: L 363 instructions, inverse throughput 603; A_h 384 instructions, inverse
+//   throughput 631
 // Source: Tokuyoshi, Accurate Diffuse Lighting from Spherical Gaussian Lights, 2022, eq. 1 and
 //   section 2
 // Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error
@@ -972,6 +972,8 @@ float sg_A_h_tokuyoshi_2024_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.000479 at lambda 2.069, beta 0.754 (cos_theta 0.729); RMSE 0.00024
 //   double  max 0.000479 at lambda 2.069, beta 0.754 (cos_theta 0.729); RMSE 0.00024
+// Cost on navi21: L 21 instructions, inverse throughput 7; A_h 47 instructions, inverse throughput
+//   38
 // Source: sgfit fit brisk (fit/recipes/brisk.json)
 // Made by: sgfit fit brisk
 // Form root_bell_1: half the odd part and a root, over a Gaussian bell with one term. With p = z m
@@ -1015,6 +1017,8 @@ float sg_A_h_brisk(float lambda, float cos_theta)
 // Error of L:
 //   float   max 5.28e-07 at lambda 3.643, beta 0.2168 (cos_theta 0.9766); RMSE 1.96e-07
 //   double  max 4.22e-07 at lambda 1.438, beta 0.377 (cos_theta 0.9298); RMSE 1.91e-07
+// Cost on navi21: L 68 instructions, inverse throughput 83; A_h 94 instructions, inverse throughput
+//   116
 // Source: fit/recipes/fine.json
 // Form root_bell_5: half the odd part and a root, over a Gaussian bell with five terms. With p = z
 // m / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T + 2 |p|), T
@@ -1274,6 +1278,8 @@ float sg_A_h_meder_2018_refit(float lambda, float cos_theta)
 // Error of L:
 //   float   max 9.82e-05 at lambda 1.833, beta 3.142 (cos_theta -1); RMSE 3.09e-05
 //   double  max 9.81e-05 at lambda 1.833, beta 3.142 (cos_theta -1); RMSE 3.09e-05
+// Cost on navi21: L 27 instructions, inverse throughput 9; A_h 53 instructions, inverse throughput
+//   42
 // Source: sgfit fit medium (fit/recipes/medium.json)
 // Made by: sgfit fit medium
 // Form root_bell_2: half the odd part and a root, over a Gaussian bell with two terms. With p = z m
@@ -1321,6 +1327,8 @@ float sg_A_h_medium(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.000505 at lambda 4.112, beta 0.009425 (cos_theta 1); RMSE 0.000256
 //   double  max 0.000505 at lambda 4.112, beta 0 (cos_theta 1); RMSE 0.000256
+// Cost on navi21: L 50 instructions, inverse throughput 51; A_h 76 instructions, inverse throughput
+//   84
 // Source: sgfit fit positive (fit/recipes/positive.json)
 // Made by: sgfit fit positive
 // Form root_tail: half the odd part and a root, the far tail kept in proportion. With p = z m / 2
@@ -1380,6 +1388,8 @@ float sg_A_h_positive(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.000999 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.00051
 //   double  max 0.000999 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.00051
+// Cost on navi21: L 20 instructions, inverse throughput 6; A_h 46 instructions, inverse throughput
+//   32
 // Source: sgfit fit quick (fit/recipes/quick.json)
 // Made by: sgfit fit quick
 // Form root_quartic: half the odd part and a root, over a quartic bell: the cheapest of the family.
@@ -1422,6 +1432,8 @@ float sg_A_h_quick(float lambda, float cos_theta)
 // Error of L:
 //   float   max 8.98e-06 at lambda 127.4, beta 0.05027 (cos_theta 0.9987); RMSE 4.32e-06
 //   double  max 8.92e-06 at lambda 132.7, beta 0 (cos_theta 1); RMSE 4.32e-06
+// Cost on navi21: L 45 instructions, inverse throughput 41; A_h 71 instructions, inverse throughput
+//   74
 // Source: sgfit fit standard (fit/recipes/standard.json)
 // Made by: sgfit fit standard
 // Form root_bell_3: half the odd part and a root, over a Gaussian bell with three terms. With p = z
@@ -1489,8 +1501,8 @@ float sg_A_h_standard(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00288 at lambda 5.915, beta 2.215 (cos_theta -0.6004); RMSE 0.000592
 //   double  max 0.00288 at lambda 5.915, beta 2.215 (cos_theta -0.6004); RMSE 0.000592
-// Cost on navi21: L 381 instructions, inverse throughput 624; A_h 401 instructions, inverse
-//   throughput 651
+// Cost on navi21: L 363 instructions, inverse throughput 603; A_h 384 instructions, inverse
+//   throughput 631
 // Source: sgfit fit tokuyoshi_2022_minimax (fit/recipes/tokuyoshi_2022_minimax.json)
 // Made by: sgfit fit tokuyoshi_2022_minimax
 // Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error
@@ -1559,8 +1571,8 @@ float sg_A_h_tokuyoshi_2022_minimax(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00298 at lambda 5.68, beta 2.224 (cos_theta -0.6079); RMSE 0.000478
 //   double  max 0.00298 at lambda 5.68, beta 2.224 (cos_theta -0.6079); RMSE 0.000478
-// Cost on navi21: L 381 instructions, inverse throughput 624; A_h 401 instructions, inverse
-//   throughput 651
+// Cost on navi21: L 363 instructions, inverse throughput 603; A_h 384 instructions, inverse
+//   throughput 631
 // Source: sgfit fit tokuyoshi_2022_refit (fit/recipes/tokuyoshi_2022_refit.json)
 // Made by: sgfit fit tokuyoshi_2022_refit
 // Form hemisphere_erf_stable: the clamped cosine as a lobe less a constant, hemispheres by an error

@@ -123,7 +123,8 @@ static void stable_variants_are_the_same_models(void **state)
             for (int b = 0; b <= 200; b++) {
                 /* every other direction next to the horizon, in units of the lobe's width */
                 double z = cos(pi * b / 200) / (b % 2 ? 1 + sqrt(lambda) : 1);
-                double expected = fmax((double)formula->L((long double)lambda, z), 0);
+                /* cut where the model leaves what the integral can be */
+                double expected = fmin(fmax((double)formula->L((long double)lambda, z), 0), 1);
                 double error = fabs(variant->L_f64(lambda, z) - expected);
                 if (!(error < 1e-9))
                     fail_msg("%s(%.17g, %.17g) is off by %g", variant->id, lambda, z, error);

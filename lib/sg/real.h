@@ -91,26 +91,27 @@ SG_FUNCTION_1(abs, fabs)
  * and a sharp lobe is mostly such places. NaN passes the comparison and stays. */
 #if SG_PRECISION >= 64
 #define SG_EXP_MIN  -708.39
-#define SG_EXP2_MIN -1022.0
+#define SG_EXP2_MIN -1021.99
 #elif SG_PRECISION == 32
 #define SG_EXP_MIN  -87.33
-#define SG_EXP2_MIN -126.0
+#define SG_EXP2_MIN -125.99
 #endif
 #if SG_PRECISION == 16
 SG_FUNCTION_1(exp, exp)
 SG_FUNCTION_1(exp2, exp2)
 #else
+/* A factor rather than `vanishes ? 0 : exp(...)`: of that the compiler makes an unclamped call. */
 SG_INLINE sg_real SG_exp(sg_real x)
 {
     bool vanishes = x < SG_K(SG_EXP_MIN);
-    sg_real value = SG_LIBM(exp)(vanishes ? SG_K(0.0) : x);
-    return vanishes ? SG_K(0.0) : value;
+    sg_real keep = vanishes ? SG_K(0.0) : SG_K(1.0);
+    return SG_LIBM(exp)(vanishes ? SG_K(SG_EXP_MIN) : x) * keep;
 }
 SG_INLINE sg_real SG_exp2(sg_real x)
 {
     bool vanishes = x < SG_K(SG_EXP2_MIN);
-    sg_real value = SG_LIBM(exp2)(vanishes ? SG_K(0.0) : x);
-    return vanishes ? SG_K(0.0) : value;
+    sg_real keep = vanishes ? SG_K(0.0) : SG_K(1.0);
+    return SG_LIBM(exp2)(vanishes ? SG_K(SG_EXP2_MIN) : x) * keep;
 }
 #endif
 
@@ -124,8 +125,9 @@ SG_INLINE sg_real SG_expm1(sg_real x)
 }
 SG_INLINE sg_real SG_erfc(sg_real x)
 {
-    sg_real value = SG_LIBM(erfc)(x > SG_K(26.5) ? SG_K(26.5) : x);
-    return x > SG_K(26.5) ? SG_K(0.0) : value; /* below 1e-307 */
+    bool vanishes = x > SG_K(26.5); /* below 1e-307 */
+    sg_real keep = vanishes ? SG_K(0.0) : SG_K(1.0);
+    return SG_LIBM(erfc)(vanishes ? SG_K(26.5) : x) * keep;
 }
 #endif
 

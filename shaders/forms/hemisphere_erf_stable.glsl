@@ -7,8 +7,8 @@
 //   L = alpha/2 (Q (1 + T3 R3) - (1 + T R)),
 // where 3 marks the product and Q = A3 e^sharpness3 / (A e^lambda). alpha c is about 1: each of Q -
 // 1, T3 - T, t3 - t ... is formed divided by c, from sharpness3 - lambda = c (2 lambda z +
-// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0, below which the
-// model itself falls, to -5.1e-4 at (9.1, z = -0.81).
+// c)/(sharpness3 + lambda), so that nothing of the difference is lost. Cut at 0 and 1, which the
+// model itself passes, to -5.1e-4 at (9.1, z = -0.81) and to 1.00014 at z = 1 for large sharpnesses.
 real sg_form(real lambda, real cos_theta)
 {
     real c = cosine_sharpness;
@@ -44,6 +44,6 @@ real sg_form(real lambda, real cos_theta)
     real tanh_step = K(0.5) * d * (K(1.0) - step * step * K(0.0833333333333333333)) * (K(1.0) - tanh1 * tanh3);
     real bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
     real bias3 = tanh1 * ratio + c * bias_step;
-    real value = max(K(0.5) * alpha * c * (d * sg_gain_step(lambda, product, step) * (K(1.0) + bias3) + bias_step), K(0.0));
-    return v <= K(1.0e-37) ? alpha * sg_expm1(c * max(z, K(0.0))) : value;
+    real value = K(0.5) * alpha * c * (d * sg_gain_step(lambda, product, step) * (K(1.0) + bias3) + bias_step);
+    return v <= K(1.0e-37) ? max(z, K(0.0)) : clamp(value, K(0.0), K(1.0));
 }

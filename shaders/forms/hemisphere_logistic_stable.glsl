@@ -6,8 +6,9 @@
 // logistic s, and with
 //   L = scale/2 (Q (1 + T3 R3) - (1 + T R)) + rest/2 (1 + T R),
 // where scale = amplitude e^-c and rest = scale - offset are coefficients, because their difference
-// cancels. Cut at 0: at grazing angles the model itself is negative, down to rest/2 at z = 0 and to
-// rest just above it as the sharpness grows.
+// cancels. Cut at 0 and 1: at grazing angles the model itself is negative, down to rest/2 at z = 0 and to
+// rest just above it as the sharpness grows, and at z = 1 it goes up to 1.0077. An infinite sharpness
+// gives max(z, 0), not the model's limit.
 real sg_form(real lambda, real cos_theta)
 {
     real c = cosine_sharpness;
@@ -58,7 +59,6 @@ real sg_form(real lambda, real cos_theta)
     real bias_step = lambda < K(4.0) * c ? direct : stepped;
     real bias = tanh1 * ratio;
     real gain = d * sg_gain_step(lambda, product, step) * (K(1.0) + bias + c * bias_step) + bias_step;
-    real value = max(K(0.5) * (cosine_scale * c * gain + cosine_rest * (K(1.0) + bias)), K(0.0));
-    real limit = max(cosine_scale * sg_expm1(c * max(z, K(0.0))) + cosine_rest, K(0.0));
-    return v <= K(1.0e-37) ? limit : value;
+    real value = K(0.5) * (cosine_scale * c * gain + cosine_rest * (K(1.0) + bias));
+    return v <= K(1.0e-37) ? max(z, K(0.0)) : clamp(value, K(0.0), K(1.0));
 }

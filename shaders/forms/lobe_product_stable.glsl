@@ -2,8 +2,9 @@
 // computes: L
 // coefficients: cosine_amplitude cosine_sharpness
 // source: Meder and Bruederlin 2018, eqs 2, 3 and 8
-// Sharpnesses in units of their sum, so that no square overflows. Not below 0; up to
-// cosine_amplitude, which may be more than 1.
+// Sharpnesses in units of their sum, so that no square overflows. Cut at 1, above which the model
+// itself goes where cosine_amplitude is more than 1. It tends to cosine_amplitude e^(cosine_sharpness
+// (z - 1)) as the sharpness grows; an infinite one gives what is right there, max(z, 0).
 real sg_form(real lambda, real cos_theta)
 {
     real z = clamp(cos_theta, K(-1.0), K(1.0));
@@ -13,7 +14,6 @@ real sg_form(real lambda, real cos_theta)
     real product = sqrt(difference * difference + K(2.0) * share * (cosine_sharpness / sum) * (K(1.0) + z));
     real drop = K(2.0) * cosine_sharpness * (K(1.0) - z);
     real area = sg_integral(sum * product) / sg_integral(lambda);
-    real value = cosine_amplitude * exp(-drop * share / (K(1.0) + product)) * area;
-    // an infinite sharpness: the lobe in the place of the cosine, itself
-    return K(1.0) / (K(1.0) + lambda) <= K(1.0e-37) ? cosine_amplitude * exp(K(-0.5) * drop) : value;
+    real value = min(cosine_amplitude * exp(-drop * share / (K(1.0) + product)) * area, K(1.0));
+    return K(1.0) / (K(1.0) + lambda) <= K(1.0e-37) ? max(z, K(0.0)) : value;
 }
