@@ -1,10 +1,10 @@
 /* solve_minimax.c: the largest residual over many samples, made small by exchange.
  *
- * Least squares, then its powers 4 to 256, then exchange. Only the few samples where the error
- * peaks shape a minimax fit. The reference set starts with the peaks of the least-squares solution;
- * NLopt makes the largest residual on it small; the peaks of that fit over all samples join; and so
- * on, until no sample is worse than the set says. The value on the set is a lower bound of what any
- * (local) fit reaches, so the end is an optimum. */
+ * Least squares, then (with more than a few parameters) its powers 4 to 256, then exchange. Only
+ * the few samples where the error peaks shape a minimax fit. The reference set starts with the
+ * peaks of the least-squares solution; NLopt makes the largest residual on it small; the peaks of
+ * that fit over all samples join; and so on, until no sample is worse than the set says. The value
+ * on the set is a lower bound of what any (local) fit reaches, so the end is an optimum. */
 #include "solve.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUNDS = 80, BUCKET = 16, MOST_REFERENCE = 600 };
+enum { FEW_PARAMETERS = 5, ROUNDS = 80, BUCKET = 16, MOST_REFERENCE = 600 };
 static const double PEAK = 0.6; /* of the largest: what counts as a peak */
 
 typedef struct reference {
@@ -162,10 +162,13 @@ void fit_solve_minimax(const fit_problem *problem, const fit_options *options, f
 {
     reference set;
     double *residuals = malloc(sizeof(double) * (problem->sample_count + 1));
+    /* With few parameters exchange finds its way alone, and the powers would take most of the time.
+     */
+    bool many = problem->parameter_count > FEW_PARAMETERS;
     fit_solve_ceres(problem, options, result);
-    snprintf(result->solver, sizeof result->solver,
-             "NLopt %s SLSQP with exchange, after Ceres and its powers", fit_nlopt_version());
-    if (residuals && result->usable)
+    snprintf(result->solver, sizeof result->solver, "NLopt %s SLSQP with exchange, after Ceres%s",
+             fit_nlopt_version(), many ? " and its powers" : "");
+    if (residuals && result->usable && many)
         climb(problem, options, residuals, result);
     if (reference_begin(&set, problem) && residuals && result->usable)
         exchange(problem, options, &set, residuals, result);
