@@ -97,7 +97,7 @@ typedef struct profile_saving {
     profile_candidate general, fitted;
 } profile_saving;
 
-/* Three profiles against each tier. calloc'ed, free() it; NULL after one line. */
+/* Three profiles against each tier. free() them; NULL after one line. */
 profile_saving *profile_savings(size_t *count, const char **unit);
 
 #endif
