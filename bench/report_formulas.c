@@ -31,30 +31,30 @@ static double A_b_f32(double l)
  * to a pole, where it is worst. */
 static double s_printed(double l)
 {
-    double beta = 0.05, z = cos(beta), clamped = z > 0.0 ? z : 0.0;
+    double beta = 0.005, z = cos(beta), clamped = z > 0.0 ? z : 0.0;
     double c = (sg_A_h(l, beta) - sg_A_b(l)) / (sg_A_u(l) - sg_A_b(l));
     return (c - clamped) / (0.5 * z + 0.5 - clamped);
 }
 static double s_truth(double l)
 {
-    return sg_s(l, 0.05);
+    return sg_s(l, 0.005);
 }
 
-/* The product of a lobe of sharpness l with one of sharpness 2 whose axis stands at right angles,
- * its amplitude as printed: exp(l3 - l1 - l2). */
+/* The product of a lobe of sharpness l with one of sharpness 2 whose axis stands at 60 degrees, its
+ * amplitude as printed, exp(l3 - l1 - l2), and with the difference taken before the root. */
 static double product_truth(double l)
 {
-    double l3 = hypot(l, 2.0);
-    return exp(-(2.0 * l * 2.0) / (l3 + l + 2.0));
+    double l3 = sqrt(l * l + 2.0 * l + 4.0);
+    return exp(-2.0 * l / (l3 + l + 2.0));
 }
 static double product_f32(double l)
 {
     float x = (float)l;
-    return (double)expf(sqrtf(x * x + 4.0f) - x - 2.0f);
+    return (double)expf(sqrtf(x * x + 2.0f * x + 4.0f) - x - 2.0f);
 }
 static double product_f64(double l)
 {
-    return exp(sqrt(l * l + 4.0) - l - 2.0);
+    return exp(sqrt(l * l + 2.0 * l + 4.0) - l - 2.0);
 }
 
 typedef struct formula {
@@ -69,17 +69,17 @@ static const formula formulas[] = {
     {"A_u as printed (eq. 9)", "float", A_u_f32, sg_A_u, {1e-1, 1e-3, 1e-4, 1e-5}},
     {"A_b as printed (eq. 10)", "double", A_b_f64, sg_A_b, {1e-5, 300.0, 400.0, 800.0}},
     {"A_b as printed (eq. 10)", "float", A_b_f32, sg_A_b, {1e-3, 50.0, 88.0, 89.0}},
-    {"s solved from eq. 16, β = 0.05", "double", s_printed, s_truth, {1e-3, 1e-5, 1e-7, 1e-8}},
-    {"product's amplitude (eq. 3), at right angles to sharpness 2",
+    {"s solved from eq. 16, β = 0.005", "double", s_printed, s_truth, {1e-3, 1e-5, 1e-7, 1e-8}},
+    {"product's amplitude (eq. 3), at 60° to sharpness 2",
      "double",
      product_f64,
      product_truth,
      {1e2, 1e4, 1e8, 1e16}},
-    {"product's amplitude (eq. 3), at right angles to sharpness 2",
+    {"product's amplitude (eq. 3), at 60° to sharpness 2",
      "float",
      product_f32,
      product_truth,
-     {1e2, 1e4, 1e6, 1e8}},
+     {1e2, 1e3, 1e4, 1e8}},
 };
 
 typedef struct sample {
