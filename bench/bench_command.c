@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/options.h"
 #include "base/text.h"
+#include "chart.h"
 #include "cost.h"
 
 static int write_all(const cost_table *table, const char *out, const char *counts)
@@ -21,7 +22,7 @@ static int write_all(const cost_table *table, const char *out, const char *count
     if (good && out) {
         char *csv = base_join(out, "cost.csv"), *json = base_join(out, "cost.json");
         good = base_make_directory(out) && cost_write_csv(table, csv, false) &&
-               cost_write_json(table, json);
+               cost_write_json(table, json) && chart_bench_page(out);
         free(csv);
         free(json);
     }
@@ -44,9 +45,10 @@ int bench_command(int argc, char **argv)
         "bench", "--out DIR [options]",
         "Measures what every method costs: GPU instructions (RADV compiles for hardware that need "
         "not be there), nanoseconds on this CPU, time on a Vulkan device as a ratio to an empty "
-        "shader; writes DIR/cost.csv and DIR/cost.json."};
+        "shader; writes DIR/cost.csv, DIR/cost.json and DIR/index.html, a chart of error against "
+        "cost."};
     const base_option options[] = {
-        {"out", BASE_STRING, &out, "DIR", "where cost.csv and cost.json go", NULL},
+        {"out", BASE_STRING, &out, "DIR", "where cost.csv, cost.json and index.html go", NULL},
         {"counts", BASE_STRING, &counts, "FILE",
          "write errors and instruction counts alone, which are the same in every run, to FILE "
          "(tables/cost.csv is made with this)",

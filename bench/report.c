@@ -15,18 +15,21 @@
 
 /* The page in its order. A section that another command contributes is one more row. */
 static const report_section sections[] = {
-    {"headline", "Headline figures", report_headline},
-    {"accuracy", "Accuracy", report_accuracy},
-    {"float", "What float breaks", report_float},
-    {"curves", "The curves c and s", report_curves},
-    {"steepness", "Steepness", report_steepness},
-    {"rmse", "Error over sharpness", report_rmse},
-    {"cosine", "The cosine as a lobe", report_cosine},
-    {"hemisphere", "The hemisphere's integral", report_hemisphere},
-    {"fits", "Fits against published constants", report_fits},
-    {"routes", "Quadrature", report_routes},
-    {"formulas", "Formulas as printed", report_formulas},
-    {"machine", "Machine and versions", report_machine},
+    {"headline", "Headline figures", report_headline, NULL},
+    {"accuracy", "Accuracy", report_accuracy, NULL},
+    {"cost", "Speed against accuracy", report_cost, NULL},
+    {"float", "What float breaks", report_float, NULL},
+    {"stability", "Where methods fail", report_stability, report_has_stability},
+    {"curves", "The curves c and s", report_curves, NULL},
+    {"steepness", "Steepness", report_steepness, NULL},
+    {"rmse", "Error over sharpness", report_rmse, NULL},
+    {"cosine", "The cosine as a lobe", report_cosine, NULL},
+    {"hemisphere", "The hemisphere's integral", report_hemisphere, NULL},
+    {"fits", "Fits against published constants", report_fits, NULL},
+    {"tried", "What was tried", report_tried, report_has_tried},
+    {"routes", "Quadrature", report_routes, NULL},
+    {"formulas", "Formulas as printed", report_formulas, NULL},
+    {"machine", "Machine and versions", report_machine, NULL},
 };
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
@@ -46,9 +49,9 @@ static bool score_all(report *report, base_progress *progress)
     return true;
 }
 
-static bool write_report(const char *folder)
+static bool write_report(const char *folder, const char *bench, const char *stability)
 {
-    report report = {0};
+    report report = {.bench = bench, .stability = stability};
     report.page = page_new("Clamped cosine and spherical Gaussians: the error report",
                            "How far every published approximation, and every fit of this project, "
                            "is from the exact integral; computed from nothing but the integral.");
@@ -58,6 +61,8 @@ static bool write_report(const char *folder)
     report.batch_speed_up = speeds.batch / speeds.single;
     bool done = score_all(&report, progress);
     for (size_t i = 0; i < SECTIONS && done; i++) {
+        if (sections[i].there && !sections[i].there(&report))
+            continue;
         page_section(report.page, sections[i].id, sections[i].title);
         done = sections[i].write(&report);
         base_progress_step(progress, sections[i].title);
@@ -71,13 +76,19 @@ static bool write_report(const char *folder)
 
 int report_command(int argc, char **argv)
 {
-    const char *out = NULL, *root = NULL;
+    const char *out = NULL, *root = NULL, *bench = NULL, *stability = NULL, *readme = NULL;
     const base_option options[] = {
         {"out", BASE_STRING, &out, "DIR", "the folder to write index.html and its data into", NULL},
+        {"bench", BASE_STRING, &bench, "DIR",
+         "what sgfit bench --out wrote: adds times to the chart of speed against accuracy", NULL},
+        {"stability", BASE_STRING, &stability, "DIR",
+         "what sgfit stability --out wrote: adds the section on where methods fail", NULL},
+        {"readme", BASE_STRING, &readme, "FILE",
+         "rewrite the block of figures in FILE, and tables/out/chart.svg beside it", NULL},
         {"root", BASE_STRING, &root, "DIR", "the source tree, for tables/constants", NULL},
     };
     static const base_usage usage = {
-        "report", "--out DIR",
+        "report", "--out DIR [options]",
         "Writes the error report: DIR/index.html, one page that needs nothing else, "
         "DIR/accuracy.csv with the errors of every method, and a CSV behind every plot and table. "
         "Figures are drawn by gnuplot."};
@@ -85,7 +96,7 @@ int report_command(int argc, char **argv)
         base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options, NULL);
     if (status >= 0)
         return status;
-    if (!out) {
+    if (!out && !readme) {
         base_error("report: expected --out DIR, the folder to write into");
         return BASE_USAGE;
     }
@@ -94,11 +105,15 @@ int report_command(int argc, char **argv)
     /* Work is not begun for a folder that cannot be written, or without the means to draw. */
     if (!gnuplot_there())
         return BASE_FAILED;
+    if (readme && !report_readme(readme))
+        return BASE_FAILED;
+    if (!out)
+        return BASE_DONE;
     if (!base_make_directory(out))
         return BASE_FAILED;
     if (access(out, W_OK) != 0) {
         base_error("report: %s: cannot be written, expected a folder of yours", out);
         return BASE_FAILED;
     }
-    return write_report(out) ? BASE_DONE : BASE_FAILED;
+    return write_report(out, bench, stability) ? BASE_DONE : BASE_FAILED;
 }

@@ -15,16 +15,20 @@ typedef struct report {
     size_t methods;                           /* of the registry, */
     score_result (*scores)[SCORE_PRECISIONS]; /* and their scores, in its order */
     double batch_speed_up; /* of sg_A_h_batch over single calls; 0: not measured */
+    const char *bench;     /* folders that `sgfit bench` and */
+    const char *stability; /* `sgfit stability` wrote; NULL: none given */
 } report;
 
 typedef struct report_section {
     const char *id, *title;
-    bool (*write)(report *report); /* false after one line on standard error */
+    bool (*write)(report *report);       /* false after one line on standard error */
+    bool (*there)(const report *report); /* whether there is such a section; NULL: always */
 } report_section;
 
 /* The sections, each in the file that its comment names. */
 bool report_headline(report *report);   /* report_headline.c */
 bool report_accuracy(report *report);   /* report_accuracy.c */
+bool report_cost(report *report);       /* report_cost.c */
 bool report_float(report *report);      /* report_float.c */
 bool report_curves(report *report);     /* figures_curves.c */
 bool report_steepness(report *report);  /* figures_steepness.c */
@@ -35,6 +39,19 @@ bool report_fits(report *report);       /* report_fits.c */
 bool report_routes(report *report);     /* report_routes.c */
 bool report_formulas(report *report);   /* report_formulas.c */
 bool report_machine(report *report);    /* report_machine.c */
+bool report_stability(report *report);  /* report_stability.c */
+bool report_has_stability(const report *report);
+bool report_tried(report *report); /* report_tried.c */
+bool report_has_tried(const report *report);
+
+/* report_maps.c: parts of report_stability. The failure maps; a CSV of the same folder as a table,
+ * nothing where it is not there. */
+bool report_maps(report *report);
+void report_csv_table(report *report, const char *name, const char *caption);
+
+/* report_readme.c: rewrites the block of figures in a README.md, and tables/out/chart.svg beside
+ * it. False after one line. */
+bool report_readme(const char *path);
 
 /* `sgfit report`. */
 int report_command(int argc, char **argv);

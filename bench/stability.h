@@ -46,7 +46,8 @@ struct stability_subject {
     stability_function flushed; /* the same with denormals flushed; may be NULL */
     stability_function A_h;     /* the other quantity; may be NULL */
     const void *context;
-    bool device; /* is called from one thread at a time, with many points at once */
+    bool any_size; /* above 1 is no failure */
+    bool device;   /* is called from one thread at a time, with many points at once */
 };
 
 /* The method of the registry, or of a test, in C. False where the precision is not there. */
@@ -149,6 +150,12 @@ typedef struct stability_result {
     char device[600];    /* name and version of the device, "" where there is none, */
     char no_device[256]; /* and why */
 } stability_result;
+
+/* What half leaves of a method: the widest range of sharpnesses within which its error in half
+ * stays below 1e-2 (at every cosine), by the rows of a table. From 0: down to 0; to inf: up to
+ * 65504 and, where that becomes infinite, beyond. False where there is none. */
+bool stability_half_range(const stability_table *table, const char *method, double *from,
+                          double *to);
 
 /* Scans the registry and the operations, and writes the files. False after one line. */
 bool stability_run(const stability_options *options, stability_result *result);

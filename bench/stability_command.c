@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/options.h"
 #include "base/text.h"
+#include "smoothness.h"
 #include "stability_private.h"
 
 /* Sharpnesses to six significant digits, which is what bisection gives. */
@@ -39,11 +40,37 @@ static bool write_failures(const stability_table *table, const char *path)
     return base_output_close(&output);
 }
 
-bool stability_write(const stability_result *result, const char *folder)
+static bool write_half(const stability_result *result, const char *only, const char *path)
 {
-    char *failures = base_join(folder, "failures.csv");
-    bool good = write_failures(&result->failures, failures);
+    base_output output;
+    if (!base_output_open(&output, path))
+        return false;
+    fputs("method,lambda_from,lambda_to\n", output.stream);
+    for (size_t i = 0; i < sg_method_count(); i++) {
+        const sg_method *method = sg_method_at(i);
+        double from, to;
+        char text[2][BASE_NUMBER_SIZE];
+        if (!method->L_f16 || (only && strcmp(only, method->id) != 0))
+            continue;
+        if (stability_half_range(&result->failures, method->id, &from, &to))
+            fprintf(output.stream, "%s,%s,%s\n", method->id, number(from, 6, text[0]),
+                    number(to, 6, text[1]));
+        else
+            fprintf(output.stream, "%s,,\n", method->id);
+    }
+    return base_output_close(&output);
+}
+
+bool stability_write(const stability_options *options, const stability_result *result)
+{
+    char *failures = base_join(options->out, "failures.csv");
+    char *half = base_join(options->out, "half.csv");
+    char *smooth = base_join(options->out, "smoothness.csv");
+    bool good = write_failures(&result->failures, failures) &&
+                write_half(result, options->only, half) && smoothness_write(options->only, smooth);
     free(failures);
+    free(half);
+    free(smooth);
     return good;
 }
 

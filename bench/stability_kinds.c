@@ -50,11 +50,11 @@ static double distance(const double *from, size_t i, double value, double thresh
     return *worst > threshold ? *worst : 0;
 }
 
-double stability_severity(int kind, stability_precision precision, const stability_values *values,
-                          size_t i, double *worst)
+double stability_severity(int kind, const stability_subject *subject,
+                          const stability_values *values, size_t i, double *worst)
 {
     const struct kind *k = &kinds[kind];
-    if ((k->of_A_h && !values->A_h) || (k->not_in_half && precision == STABILITY_F16))
+    if ((k->of_A_h && !values->A_h) || (k->not_in_half && subject->precision == STABILITY_F16))
         return 0;
     double value = k->of_A_h ? values->A_h[i] : values->value[i];
     *worst = value;
@@ -72,7 +72,7 @@ double stability_severity(int kind, stability_precision precision, const stabili
     case NEGATIVE:
         return value < 0 && isfinite(value) ? -value : 0;
     case ABOVE_ONE:
-        return value > 1 && isfinite(value) ? value : 0;
+        return value > 1 && isfinite(value) && !subject->any_size ? value : 0;
     case INFINITE:
         return isinf(value) ? 1 : 0;
     default:

@@ -31,12 +31,11 @@ void stability_values_free(stability_values *values);
 enum { STABILITY_KINDS = 14 };
 const char *stability_kind_name(int kind);
 /* How bad point i is in that kind, above 0, or 0 where it is no failure or the kind does not apply
- * to the precision. worst: the number to show. */
-double stability_severity(int kind, stability_precision precision, const stability_values *values,
-                          size_t i, double *worst);
+ * to the subject. worst: the number to show. */
+double stability_severity(int kind, const stability_subject *subject,
+                          const stability_values *values, size_t i, double *worst);
 
-/* stability_points.c: add rows; false after one line. The limit is looked at where the truth is the
- * reference. */
+/* stability_points.c: add rows; false after one line. */
 bool stability_scan_limit(const stability_subject *subject, const stability_grid *grid,
                           stability_table *table);
 bool stability_scan_nan(const stability_subject *subject, stability_table *table);
@@ -49,8 +48,11 @@ void stability_seam_add(stability_seams *seams, stability_precision precision, d
  * double, or there is no such method. */
 double (*stability_long_L(const char *id))(double lambda, double cos_theta);
 
+/* stability_operations.c: adds the rows of the lobe operations (stability_cores.h). */
+bool stability_operations(stability_table *table);
+
 /* stability_command.c: the tables as files. */
-bool stability_write(const stability_result *result, const char *folder);
+bool stability_write(const stability_options *options, const stability_result *result);
 
 /* stability_device.c */
 typedef struct stability_device stability_device;

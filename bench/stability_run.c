@@ -151,13 +151,15 @@ bool stability_run(const stability_options *options, stability_result *result)
     base_parallel(r.count, scan_job, &r);
     bool good = scan_device(&r, result);
     good = collect(&r, result) && good;
+    if (good && !options->only)
+        good = stability_operations(&result->failures);
     base_progress_end(r.progress);
     for (size_t i = 0; i < r.count; i++)
         stability_table_free(&r.jobs[i].table);
     for (int p = 0; p < STABILITY_DEVICE; p++)
         stability_grid_free(r.grids[p]);
     free(r.jobs);
-    good = good && (!options->out || stability_write(result, options->out));
+    good = good && (!options->out || stability_write(options, result));
     if (!good)
         stability_result_free(result);
     return good;

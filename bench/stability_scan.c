@@ -62,7 +62,7 @@ static void judge_row(const scan *s, row *r, const stability_values *values, siz
     for (size_t i = first; i < first + points_of(s, r); i++)
         for (int kind = 0; kind < STABILITY_KINDS; kind++) {
             double worst = 0;
-            double severity = stability_severity(kind, s->subject->precision, values, i, &worst);
+            double severity = stability_severity(kind, s->subject, values, i, &worst);
             consider(&r->kinds[kind], severity, worst, r->lambda, cos_theta[i]);
         }
 }
@@ -246,7 +246,10 @@ bool stability_scan(const stability_subject *subject, const stability_grid *grid
                                        stability_kind_name(r->kind), r->from, r->to, r->worst.worst,
                                        r->worst.lambda, r->worst.cos_theta});
     }
-    good = good && stability_scan_limit(subject, grid, table) && stability_scan_nan(subject, table);
+    /* operations have their own truth, and other limits */
+    if (!subject->truth)
+        good = good && stability_scan_limit(subject, grid, table) &&
+               stability_scan_nan(subject, table);
     free(s.rows);
     free(s.ranges);
     return good;

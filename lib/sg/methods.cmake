@@ -1,13 +1,15 @@
 # How the registry's units are compiled; include() it where the sources are listed.
 #
 # -fno-math-errno and -fno-trapping-math change no value: they let the batch loops turn `?:` into
-# selections and call the vector library. -fopenmp-simd reads the loops' pragma and needs no
+# selections and call the vector library. -fno-tree-pre keeps the clamps of SG_exp and SG_exp2 in
+# front of the calls that they are for (it would see that the clamped call's value is known, and in
+# a vector make the call without the clamp): batches are three times as fast. -fopenmp-simd reads the loops' pragma and needs no
 # OpenMP runtime. -fexcess-precision=16 makes _Float16 round at every operation.
 include(CheckCCompilerFlag)
 include(CheckCSourceCompiles)
 
 set(SG_METHOD_OPTIONS "")
-foreach(flag -fno-math-errno -fno-trapping-math -fopenmp-simd)
+foreach(flag -fno-math-errno -fno-trapping-math -fno-tree-pre -fopenmp-simd)
     string(MAKE_C_IDENTIFIER "SG_FLAG${flag}" known)
     check_c_compiler_flag(${flag} ${known})
     if(${known})
