@@ -45,6 +45,11 @@ const names = {
         wanted.push({x, y, rank, label: point.method + (isFinite(point[error.value]) ? "" : " (∞)")});
       });
     });
+    const steps = chart.getDatasetMeta(chart.data.datasets.length - 1).data;
+    for (let i = 1; i < steps.length; i++) {
+      const a = steps[i - 1], b = steps[i];
+      taken.push([a.x, a.y - 1, b.x, a.y + 1], [b.x - 1, a.y, b.x + 1, b.y]);
+    }
     wanted.sort((a, b) => a.rank - b.rank);
     c.save();
     c.font = (narrow.matches ? "11px " : "12px ") + font().family;
@@ -92,9 +97,8 @@ function content() {
   if (steps.length) steps.push({x: xs[1], y: steps[steps.length - 1].y});
   const sets = data.kinds.map(kind => ({
     kind: kind.id, label: kind.name, pointStyle: kind.shape, pointRadius: kind.id === "tier" ? 6.5 : 5.5,
-    pointHoverRadius: 9, hitRadius: 12, backgroundColor: style("--c" + kind.colour),
-    borderColor: style(kind.id === "table" ? "--c" + kind.colour : "--card"),
-    pointBorderWidth: kind.id === "table" ? 2.5 : 1, clip: false,
+    rotation: kind.id === "table" ? 180 : 0, pointHoverRadius: 9, hitRadius: 12, backgroundColor: style("--c" + kind.colour),
+    borderColor: style("--card"), pointBorderWidth: 1, clip: false,
     data: points.filter(p => p.kind === kind.id)
         .map(p => ({x: p[x], y: Math.min(p[y], ys[1]), point: p}))
   }));

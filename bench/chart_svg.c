@@ -12,17 +12,17 @@
 const chart_look chart_looks[CHART_KINDS] = {
     [CHART_PUBLISHED] = {"published, as printed", 2, "circle", "●", 7},
     [CHART_STABLE] = {"published, made stable", 16, "rectRot", "◆", 13},
-    [CHART_REFIT] = {"published form, constants fitted here", 3, "triangle", "▲", 9},
+    [CHART_REFIT] = {"published form, refitted here", 3, "triangle", "▲", 9},
     [CHART_TIER] = {"form of our own", 1, "rect", "■", 5},
-    [CHART_TABLE] = {"look-up table", 4, "crossRot", "✖", 2},
+    [CHART_TABLE] = {"look-up table", 4, "triangle", "▼", 11},
 };
 
 /* Pixels, from the lower left corner as gnuplot counts. */
-enum { WIDTH = 900, HEIGHT = 640, LEFT = 76, RIGHT = 880, BOTTOM = 96, TOP = 620 };
-static const double letter = 6.9, line = 13.0; /* of the names, 12 pixels high */
+enum { WIDTH = 900, HEIGHT = 640, LEFT = 92, RIGHT = 880, BOTTOM = 112, TOP = 622 };
+static const double letter = 6.7, line = 13.0; /* of the names, 12 pixels high */
 
 typedef struct box {
-    double x0, y0, x1, y1;
+    double x0, y0, x1, y1, weight; /* weight: how bad it is to cover it */
 } box;
 
 typedef struct scene {
@@ -81,7 +81,7 @@ static double covered(const scene *s, box b)
         double w = fmin(b.x1, s->taken[i].x1) - fmax(b.x0, s->taken[i].x0);
         double h = fmin(b.y1, s->taken[i].y1) - fmax(b.y0, s->taken[i].y0);
         if (w > 0.0 && h > 0.0)
-            sum += w * h;
+            sum += w * h * s->taken[i].weight;
     }
     return sum;
 }
@@ -96,13 +96,13 @@ static box place(const scene *s, double x, double y, double width)
     double least = (double)INFINITY;
     for (size_t r = 0; r < sizeof away / sizeof *away; r++)
         for (size_t t = 0; t < sizeof turns / sizeof *turns; t++) {
-            double cx = x + turns[t][0] * (8 + away[r]) +
+            double cx = x + turns[t][0] * (10 + away[r]) +
                         (turns[t][0] > 0   ? 1
                          : turns[t][0] < 0 ? -1
                                            : 0) *
                             width / 2;
             double cy = y + turns[t][1] * (11 + away[r]);
-            box b = {cx - width / 2, cy - line / 2, cx + width / 2, cy + line / 2};
+            box b = {cx - width / 2, cy - line / 2, cx + width / 2, cy + line / 2, 1.0};
             double cover = covered(s, b) + (double)r * 2.0;
             if (cover < least) {
                 least = cover;
@@ -112,6 +112,22 @@ static box place(const scene *s, double x, double y, double width)
     return best;
 }
 
+/* The front's steps, which names had better not stand on. */
+static void add_steps(scene *s)
+{
+    size_t *front = calloc(s->chart->count + 1, sizeof *front);
+    size_t count = front ? chart_front(s->chart, error, cost, front) : 0;
+    for (size_t i = 0; i < count; i++) {
+        const chart_point *p = &s->chart->points[front[i]];
+        const chart_point *next = i + 1 < count ? &s->chart->points[front[i + 1]] : NULL;
+        double x = at_x(s, p), y = at_y(s, p), to = next ? at_x(s, next) : RIGHT;
+        s->taken[s->boxes++] = (box){x, y - 1, to, y + 1, 3.0};
+        if (next)
+            s->taken[s->boxes++] = (box){to - 1, at_y(s, next), to + 1, y, 3.0};
+    }
+    free(front);
+}
+
 static void name_points(FILE *out, scene *s)
 {
     for (size_t i = 0; i < s->chart->count; i++) {
@@ -119,8 +135,9 @@ static void name_points(FILE *out, scene *s)
         if (!shown(p))
             continue;
         double x = at_x(s, p), y = at_y(s, p);
-        s->taken[s->boxes++] = (box){x - 5, y - 5, x + 5, y + 5};
+        s->taken[s->boxes++] = (box){x - 5, y - 5, x + 5, y + 5, 1.0};
     }
+    add_steps(s);
     /* our own first: they are few, and what the chart is about */
     static const chart_kind order[] = {CHART_TIER, CHART_TABLE, CHART_PUBLISHED, CHART_REFIT,
                                        CHART_STABLE};
@@ -139,7 +156,7 @@ static void name_points(FILE *out, scene *s)
             if (hypot(nx - x, ny - y) > 16.0)
                 fprintf(out,
                         "set arrow from screen %.5f,%.5f to screen %.5f,%.5f nohead lw 0.6 lc "
-                        "rgb \"gray\"\n",
+                        "rgb \"#8a8f96\"\n",
                         x / WIDTH, y / HEIGHT, nx / WIDTH, ny / HEIGHT);
             fprintf(out, "set label \"%s\" at screen %.5f,%.5f center noenhanced font \",12\"\n",
                     name, (b.x0 + b.x1) / 2 / WIDTH, (b.y0 + b.y1) / 2 / HEIGHT);
@@ -149,7 +166,7 @@ static void name_points(FILE *out, scene *s)
 static void blocks(FILE *out, const scene *s)
 {
     char x[BASE_NUMBER_SIZE], y[BASE_NUMBER_SIZE];
-    double top = pow(10.0, s->high[1]);
+    double top = 0.9999 * pow(10.0, s->high[1]);
     for (int k = 0; k < CHART_KINDS; k++) {
         fprintf(out, "$kind%d << END\nNaN NaN\n", k);
         for (size_t i = 0; i < s->chart->count; i++) {
@@ -189,16 +206,16 @@ static void axes(FILE *out, const scene *s, bool inside)
             WIDTH, HEIGHT, pow(10.0, s->low[0]), pow(10.0, s->high[0]), pow(10.0, s->low[1]),
             pow(10.0, s->high[1]), (double)LEFT / WIDTH, (double)RIGHT / WIDTH,
             (double)BOTTOM / HEIGHT, (double)TOP / HEIGHT);
-    fputs(inside ? "unset key\n"
-                 : "set key at screen 0.5,0.055 center center horizontal maxrows 2 samplen 1 Left "
-                   "reverse "
-                   "noenhanced font \",12\"\n",
+    fputs(inside
+              ? "unset key\n"
+              : "set key at screen 0.52,0.04 center center horizontal maxrows 2 samplen 1 width -6 "
+                "Left reverse noenhanced font \",12\"\n",
           out);
 }
 
 char *chart_svg(const chart *chart, bool inside)
 {
-    scene s = {.chart = chart, .taken = calloc(2 * chart->count + 1, sizeof *s.taken)};
+    scene s = {.chart = chart, .taken = calloc(4 * chart->count + 1, sizeof *s.taken)};
     char *script = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&script, &size);

@@ -43,7 +43,7 @@ static void rows(FILE *out, const chart *chart, chart_kind kind, const char *who
             break;
         done[next - chart->points] = true;
         fprintf(out, "| `%s` | %s |", next->id, whose);
-        number(out, next->figure[CHART_INSTRUCTIONS], 3);
+        number(out, next->figure[CHART_INSTRUCTIONS], 0); /* whole ones */
         number(out, next->figure[CHART_MAX], 3);
         number(out, next->figure[CHART_RMSE], 3);
         fputc('\n', out);

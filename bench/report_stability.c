@@ -113,7 +113,7 @@ static void overview_cell(report *report, const failures *all, const char *metho
         fputs(any ? "<br>" : "", out);
         html_text(out, told[k][1]);
         if (strstr(told[k][0], "input") == NULL && strstr(told[k][0], "limit") == NULL)
-            fprintf(out, " <small>λ ≥ %s</small>", html_number(from, 3, number));
+            fprintf(out, " <small>λ from %s</small>", html_number(from, 3, number));
         any = true;
     }
     fputs(any ? "</td>" : "<span class=\"sound\">none</span></td>", out);
@@ -121,7 +121,7 @@ static void overview_cell(report *report, const failures *all, const char *metho
 
 static void overview(report *report, const failures *all)
 {
-    static const char *const columns[] = {"method", "", "double", "float", "half", "device", NULL};
+    static const char *const columns[] = {"method", "double", "float", "half", "device", NULL};
     static const char *const variants[] = {"published", "stable", "refit", "tier"};
     html_table_begin(report->page,
                      "What fails, and from which sharpness on: no model's own error, but values "
@@ -134,8 +134,8 @@ static void overview(report *report, const failures *all)
                 continue;
             html_row_begin(report->page, first ? "group" : NULL);
             first = 0;
-            html_cell_code(report->page, m->id);
-            html_cell(report->page, m->variant);
+            fprintf(page_html(report->page), "<td><code>%s</code><br><small>%s</small></td>", m->id,
+                    m->variant);
             for (int p = 0; p < STABILITY_PRECISIONS; p++)
                 overview_cell(report, all, m->id, stability_precision_name((stability_precision)p));
             html_row_end(report->page);

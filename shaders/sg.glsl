@@ -985,13 +985,13 @@ float sg_A_h_tokuyoshi_2024_stable(float lambda, float cos_theta)
 // coefficients are such as a GPU has for free.
 float sg_L_brisk(float lambda, float cos_theta)
 {
-    const float b = 8.66357441045122;
-    const float m1 = -0.5039902278836833;
-    const float m2 = 2.068745722833676;
-    const float e0 = 0.15619615828701014;
-    const float e1 = -0.08679463094519489;
-    const float k0 = 0.7307090840327919;
-    const float a0 = -0.1601356538406277;
+    const float b = 8.663574410450849;
+    const float m1 = -0.503990227883682;
+    const float m2 = 2.06874572283357;
+    const float e0 = 0.15619615828701097;
+    const float e1 = -0.08679463094521447;
+    const float k0 = 0.7307090840328025;
+    const float a0 = -0.16013565384060532;
     float l = min(lambda, 1e18);
     float s = inversesqrt(l * l + b);
     float a = l * cos_theta;
@@ -1290,18 +1290,18 @@ float sg_A_h_meder_2018_refit(float lambda, float cos_theta)
 // coefficients polynomials in s) 2^(-k g). lambda is held where its square is a float.
 float sg_L_medium(float lambda, float cos_theta)
 {
-    const float b = 6.741071509052049;
-    const float m1 = -0.4977347419918458;
-    const float m2 = 1.5872231193839927;
-    const float m3 = -1.9553857372364802;
-    const float e0 = 0.15873286073636556;
-    const float e1 = -0.11916223563512783;
-    const float e2 = 0.5440183397149445;
-    const float e3 = -0.5471311840905427;
-    const float k0 = 0.7968924583562637;
-    const float k1 = -1.2905545721888365;
-    const float a0 = -0.12283412596777019;
-    const float b0 = -0.006259535501213847;
+    const float b = 6.741071509052545;
+    const float m1 = -0.49773474199185774;
+    const float m2 = 1.5872231193842072;
+    const float m3 = -1.9553857372367143;
+    const float e0 = 0.15873286073636542;
+    const float e1 = -0.11916223563512565;
+    const float e2 = 0.5440183397149724;
+    const float e3 = -0.5471311840905091;
+    const float k0 = 0.7968924583562518;
+    const float k1 = -1.2905545721889966;
+    const float a0 = -0.122834125967802;
+    const float b0 = -0.0062595355012081254;
     float l = min(lambda, 1e18);
     float s = inversesqrt(l * l + b);
     float a = l * cos_theta;
@@ -1517,9 +1517,9 @@ float sg_L_tokuyoshi_2022_minimax(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 8.456087224148012e-4;
     const float alpha = 1182.246733967815;
-    const float t_0 = 0.6000847529367598;
-    const float t_1 = 0.5611082403101961;
-    const float t_2 = 10.45836178785676;
+    const float t_0 = 0.6000847522446265;
+    const float t_1 = 0.5611082394559542;
+    const float t_2 = 10.458361782234823;
     float c = cosine_sharpness;
     float z = clamp(cos_theta, -1.0, 1.0);
     float sum = lambda + c;
@@ -1587,9 +1587,9 @@ float sg_L_tokuyoshi_2022_refit(float lambda, float cos_theta)
 {
     const float cosine_sharpness = 8.456087224148012e-4;
     const float alpha = 1182.246733967815;
-    const float t_0 = 1.2660831118593925;
-    const float t_1 = 1.727439363099547;
-    const float t_2 = 12.609371901693029;
+    const float t_0 = 1.2660830562478809;
+    const float t_1 = 1.7274392922245883;
+    const float t_2 = 12.60937155649192;
     float c = cosine_sharpness;
     float z = clamp(cos_theta, -1.0, 1.0);
     float sum = lambda + c;

@@ -9,6 +9,7 @@
 #include "base/file.h"
 #include "cost.h"
 #include "program.h"
+#include "workspace.h"
 
 static const char method_id[] = "meder_2018_stable";
 
@@ -63,9 +64,7 @@ static void program_writes_the_columns_that_others_rely_on(void **state)
     assert_non_null(strstr(text, "\"compiler\""));
     assert_non_null(strstr(text, "\"lambda\": [0.01, 10000]"));
     free(text);
-    remove(csv);
-    remove(json);
-    rmdir(folder);
+    shell("rm -rf '%s'", folder); /* with the page */
     free(csv);
     free(json);
     run_free(&result);
