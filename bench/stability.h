@@ -57,7 +57,7 @@ bool stability_method_subject(const sg_method *method, stability_precision preci
 /* ---- What is found --------------------------------------------------------------------------- */
 
 /* Between lambda_from and lambda_to, both failing, the failure occurs for some cos_theta; gaps of
- * less than a factor of 2 are not told apart. worst: the largest error, or the value farthest
+ * less than a factor of 10 are not told apart. worst: the largest error, or the value farthest
  * out. kind:
  *   error_1e-4, error_1e-3, error_1e-2   |value - reference| is larger
  *   rounding_1e-6 (not f16), rounding_1e-3, rounding_1e-2   |value - twin| is larger

@@ -12,7 +12,7 @@
 
 /* Good sharpnesses within a factor of told_apart, or at most GOOD_ROWS of them in a row, between
  * failing ones are no gap: a cancellation comes and goes with every rounding. */
-static const double told_apart = 2;
+static const double told_apart = 10;
 enum { GOOD_ROWS = 2 };
 static const double end_tolerance = 1e-6; /* relative, of an end */
 enum { POINTS_AT_ONCE = 1 << 16, ROUNDS_MAX = 64 };

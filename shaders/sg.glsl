@@ -21,17 +21,17 @@
 //
 //   method                       max error  RMSE      A_h costs  what it is
 //   wang_2009                    1.71e-01   4.91e-02  15         Cosine as a lobe, the common fit
-//   wang_2009_stable             1.35e-01   4.08e-02  107        Cosine as a lobe, the common fit, stable
+//   wang_2009_stable             1.35e-01   4.08e-02  105        Cosine as a lobe, the common fit, stable
 //   pettineo_hill_2016           3.67e-02   5.28e-03  22         Fitted irradiance of Pettineo and Hill
-//   pettineo_hill_2016_stable    3.67e-02   4.55e-03  84         Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
+//   pettineo_hill_2016_stable    3.67e-02   4.55e-03  82         Fitted irradiance of Pettineo and Hill, Hermite continuation below lambda = 1
 //   tokuyoshi_2016               1.54e-01   5.37e-02  15         Cosine as a lobe of sharpness 2
-//   tokuyoshi_2016_stable        1.53e-01   5.37e-02  106        Cosine as a lobe of sharpness 2, stable
+//   tokuyoshi_2016_stable        1.53e-01   5.37e-02  104        Cosine as a lobe of sharpness 2, stable
 //   constant_cosine              7.50e-01   2.56e-01  8          Cosine constant over the lobe
 //   constant_cosine_stable       7.50e-01   2.56e-01  29         Cosine constant over the lobe, stable
 //   meder_2018                   inf        inf       38         Logistic between the poles
 //   meder_2018_hg                3.48e-02   3.24e-03  75         Hemispherical Gaussians, logistic
 //   meder_2018_hg_stable         1.11e-02   2.86e-03  316        Hemispherical Gaussians, logistic, stable
-//   meder_2018_stable            5.28e-03   7.98e-04  99         Logistic between the poles, stable
+//   meder_2018_stable            5.28e-03   7.98e-04  97         Logistic between the poles, stable
 //   tokuyoshi_2022               3.93e-03   5.60e-04  322        Hemispherical Gaussians, error function
 //   tokuyoshi_2022_stable        3.69e-03   5.57e-04  384        Hemispherical Gaussians, error function, stable
 //   tokuyoshi_2024               1.28e-03   1.94e-04  219        Planar Gaussian between the poles
@@ -40,8 +40,8 @@
 //   fine                         5.28e-07   1.96e-07  94         Root over a Gaussian bell, five terms
 //   logistic_minimax             6.61e-04   1.36e-04  108        Logistic with the exact limits, minimax
 //   logistic_refit               7.33e-04   1.15e-04  108        Logistic with the exact limits, least squares
-//   meder_2018_minimax           2.31e-03   5.21e-04  99         Logistic between the poles, minimax
-//   meder_2018_refit             2.91e-03   4.70e-04  99         Logistic between the poles, least squares
+//   meder_2018_minimax           2.31e-03   5.21e-04  97         Logistic between the poles, minimax
+//   meder_2018_refit             2.91e-03   4.70e-04  97         Logistic between the poles, least squares
 //   medium                       9.82e-05   3.09e-05  53         Root over a Gaussian bell, two terms
 //   positive                     5.05e-04   2.56e-04  76         Root with a true tail
 //   quick                        9.99e-04   5.10e-04  46         Root over a quartic bell
@@ -330,8 +330,8 @@ float sg_L_wang_2009(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.135 at lambda 1e+04, beta 1.577 (cos_theta -0.006283); RMSE 0.0408
 //   double  max 0.135 at lambda 1e+04, beta 1.577 (cos_theta -0.006283); RMSE 0.0408
-// Cost on navi21: L 82 instructions, inverse throughput 89; A_h 107 instructions, inverse
-//   throughput 120
+// Cost on navi21: L 80 instructions, inverse throughput 85; A_h 105 instructions, inverse
+//   throughput 116
 // Source: Wang et al., All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance, 2009;
 //   product and integral as Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018,
 //   eqs 2 and 3
@@ -352,7 +352,8 @@ float sg_L_wang_2009_stable(float lambda, float cos_theta)
     float drop = 2.0 * cosine_sharpness * (1.0 - z);
     float area = sg_integral(sum * product) / sg_integral(lambda);
     float value = min(cosine_amplitude * exp(-drop * share / (1.0 + product)) * area, 1.0);
-    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_wang_2009_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -407,8 +408,8 @@ float sg_L_pettineo_hill_2016(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00455
 //   double  max 0.0367 at lambda 1.274, beta 0 (cos_theta 1); RMSE 0.00455
-// Cost on navi21: L 58 instructions, inverse throughput 79; A_h 84 instructions, inverse throughput
-//   112
+// Cost on navi21: L 56 instructions, inverse throughput 75; A_h 82 instructions, inverse throughput
+//   108
 // Source: Pettineo and Hill, SG Series Part 3: Diffuse Lighting From an SG Light Source, 2016
 // Form pettineo_hill_stable: Pettineo's and Hill's fit from lambda = 1 up, below it a Hermite
 // continuation to the exact 1/4. 1 - scale is formed as 1/lambda - 2 e^-2lambda, which does not
@@ -445,7 +446,8 @@ float sg_L_pettineo_hill_2016_stable(float lambda, float cos_theta)
     float below = 0.25 + lambda * (start + lambda * (3.0 * rise - 2.0 * start - slope
         + lambda * (start + slope - 2.0 * rise)));
     float found = lambda < 1.0 ? below : value;
-    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : found;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : found;
 }
 
 // sg_A_h_pettineo_hill_2016_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -494,8 +496,8 @@ float sg_L_tokuyoshi_2016(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
 //   double  max 0.153 at lambda 1e+04, beta 0.8577 (cos_theta 0.6542); RMSE 0.0537
-// Cost on navi21: L 81 instructions, inverse throughput 87; A_h 106 instructions, inverse
-//   throughput 118
+// Cost on navi21: L 79 instructions, inverse throughput 83; A_h 104 instructions, inverse
+//   throughput 114
 // Source: Tokuyoshi, Modified Filtered Importance Sampling for Virtual Spherical Gaussian Lights,
 //   2016; Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eq. 8
 // Form lobe_product_stable: the clamped cosine as one lobe about the normal; exponent and integrals
@@ -515,7 +517,8 @@ float sg_L_tokuyoshi_2016_stable(float lambda, float cos_theta)
     float drop = 2.0 * cosine_sharpness * (1.0 - z);
     float area = sg_integral(sum * product) / sg_integral(lambda);
     float value = min(cosine_amplitude * exp(-drop * share / (1.0 + product)) * area, 1.0);
-    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_tokuyoshi_2016_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -725,7 +728,8 @@ float sg_L_meder_2018_hg_stable(float lambda, float cos_theta)
     float bias = tanh1 * ratio;
     float gain = d * sg_gain_step(lambda, product, step) * (1.0 + bias + c * bias_step) + bias_step;
     float value = 0.5 * (cosine_scale * c * gain + cosine_rest * (1.0 + bias));
-    return v <= 1.0e-37 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
 }
 
 // sg_A_h_meder_2018_hg_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -742,8 +746,8 @@ float sg_A_h_meder_2018_hg_stable(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
 //   double  max 0.00528 at lambda 2.336, beta 1.571 (cos_theta 0); RMSE 0.000798
-// Cost on navi21: L 77 instructions, inverse throughput 95; A_h 99 instructions, inverse throughput
-//   124
+// Cost on navi21: L 75 instructions, inverse throughput 91; A_h 97 instructions, inverse throughput
+//   120
 // Source: Meder and Bruederlin, Screen Space Approximate Gaussian Hulls, 2018, eqs 15 to 18
 // Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
 // logistic curve; L from the start. The poles are A_b/A = sg_L_b and A_u/A = sg_L_b + sg_mean, and
@@ -762,7 +766,8 @@ float sg_L_meder_2018_stable(float lambda, float cos_theta)
     float e = exp(-t * size);
     float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
     float value = sg_L_b(lambda) + sg_mean(lambda) * c;
-    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_meder_2018_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -875,7 +880,8 @@ float sg_L_tokuyoshi_2022_stable(float lambda, float cos_theta)
     float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
     float bias3 = tanh1 * ratio + c * bias_step;
     float value = 0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step);
-    return v <= 1.0e-37 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
 }
 
 // sg_A_h_tokuyoshi_2022_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -955,7 +961,8 @@ float sg_L_tokuyoshi_2024_stable(float lambda, float cos_theta)
     // 1/(2 sqrt(pi))
     float s = 0.5 * (z * sg_erfc(-t * z) + sg_erfc(t)) + 0.282094791773878143 * bell;
     float value = max(sg_L_b(lambda) + sg_mean(lambda) * s, 0.0);
-    return v <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_tokuyoshi_2024_stable returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1138,7 +1145,8 @@ float sg_L_logistic_minimax(float lambda, float cos_theta)
     float e = exp(-t * size);
     float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
     float value = sg_L_b(lambda) + sg_mean(lambda) * c;
-    return v <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_logistic_minimax returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1185,7 +1193,8 @@ float sg_L_logistic_refit(float lambda, float cos_theta)
     float e = exp(-t * size);
     float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
     float value = sg_L_b(lambda) + sg_mean(lambda) * c;
-    return v <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_logistic_refit returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1202,8 +1211,8 @@ float sg_A_h_logistic_refit(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00231 at lambda 37.93, beta 1.455 (cos_theta 0.116); RMSE 0.000521
 //   double  max 0.00231 at lambda 37.93, beta 1.687 (cos_theta -0.116); RMSE 0.000521
-// Cost on navi21: L 77 instructions, inverse throughput 95; A_h 99 instructions, inverse throughput
-//   124
+// Cost on navi21: L 75 instructions, inverse throughput 91; A_h 97 instructions, inverse throughput
+//   120
 // Source: sgfit fit meder_2018_minimax (fit/recipes/meder_2018_minimax.json)
 // Made by: sgfit fit meder_2018_minimax
 // Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
@@ -1223,7 +1232,8 @@ float sg_L_meder_2018_minimax(float lambda, float cos_theta)
     float e = exp(-t * size);
     float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
     float value = sg_L_b(lambda) + sg_mean(lambda) * c;
-    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_meder_2018_minimax returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1240,8 +1250,8 @@ float sg_A_h_meder_2018_minimax(float lambda, float cos_theta)
 // Error of L:
 //   float   max 0.00291 at lambda 6.677, beta 1.508 (cos_theta 0.06279); RMSE 0.00047
 //   double  max 0.00291 at lambda 6.677, beta 1.508 (cos_theta 0.06279); RMSE 0.00047
-// Cost on navi21: L 77 instructions, inverse throughput 95; A_h 99 instructions, inverse throughput
-//   124
+// Cost on navi21: L 75 instructions, inverse throughput 91; A_h 97 instructions, inverse throughput
+//   120
 // Source: sgfit fit meder_2018_refit (fit/recipes/meder_2018_refit.json)
 // Made by: sgfit fit meder_2018_refit
 // Form meder_logistic_stable: between the poles by clamped and normalised cosine, weighted by a
@@ -1261,7 +1271,8 @@ float sg_L_meder_2018_refit(float lambda, float cos_theta)
     float e = exp(-t * size);
     float c = max(z, 0.0) + 0.5 * u * e / (1.0 + e) * (1.0 - size);
     float value = sg_L_b(lambda) + sg_mean(lambda) * c;
-    return 1.0 / (1.0 + lambda) <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_meder_2018_refit returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1554,7 +1565,8 @@ float sg_L_tokuyoshi_2022_minimax(float lambda, float cos_theta)
     float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
     float bias3 = tanh1 * ratio + c * bias_step;
     float value = 0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step);
-    return v <= 1.0e-37 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
 }
 
 // sg_A_h_tokuyoshi_2022_minimax returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1624,7 +1636,8 @@ float sg_L_tokuyoshi_2022_refit(float lambda, float cos_theta)
     float bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
     float bias3 = tanh1 * ratio + c * bias_step;
     float value = 0.5 * alpha * c * (d * sg_gain_step(lambda, product, step) * (1.0 + bias3) + bias_step);
-    return v <= 1.0e-37 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : clamp(value, 0.0, 1.0);
 }
 
 // sg_A_h_tokuyoshi_2022_refit returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1666,7 +1679,8 @@ float sg_L_tokuyoshi_2024_minimax(float lambda, float cos_theta)
     // 1/(2 sqrt(pi))
     float s = 0.5 * (z * sg_erfc(-t * z) + sg_erfc(t)) + 0.282094791773878143 * bell;
     float value = max(sg_L_b(lambda) + sg_mean(lambda) * s, 0.0);
-    return v <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_tokuyoshi_2024_minimax returns A_h, in [0, pi] up to its error, which is that of L times
@@ -1708,7 +1722,8 @@ float sg_L_tokuyoshi_2024_refit(float lambda, float cos_theta)
     // 1/(2 sqrt(pi))
     float s = 0.5 * (z * sg_erfc(-t * z) + sg_erfc(t)) + 0.282094791773878143 * bell;
     float value = max(sg_L_b(lambda) + sg_mean(lambda) * s, 0.0);
-    return v <= 1.0e-37 ? max(z, 0.0) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= 5.316911983139663e36 ? max(z, 0.0) : value;
 }
 
 // sg_A_h_tokuyoshi_2024_refit returns A_h, in [0, pi] up to its error, which is that of L times

@@ -17,5 +17,6 @@ real sg_form(real lambda, real cos_theta)
     // 1/(2 sqrt(pi))
     real s = K(0.5) * (z * sg_erfc(-t * z) + sg_erfc(t)) + K(0.282094791773878143) * bell;
     real value = max(sg_L_b(lambda) + sg_mean(lambda) * s, K(0.0));
-    return v <= K(1.0e-37) ? max(z, K(0.0)) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= K(5.316911983139663e36) ? max(z, K(0.0)) : value;
 }

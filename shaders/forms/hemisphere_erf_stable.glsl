@@ -45,5 +45,6 @@ real sg_form(real lambda, real cos_theta)
     real bias_step = tanh_step * ratio + sg_tanh_half(small) / sg_erf(k3 * small) * rise;
     real bias3 = tanh1 * ratio + c * bias_step;
     real value = K(0.5) * alpha * c * (d * sg_gain_step(lambda, product, step) * (K(1.0) + bias3) + bias_step);
-    return v <= K(1.0e-37) ? max(z, K(0.0)) : clamp(value, K(0.0), K(1.0));
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= K(5.316911983139663e36) ? max(z, K(0.0)) : clamp(value, K(0.0), K(1.0));
 }

@@ -60,5 +60,6 @@ real sg_form(real lambda, real cos_theta)
     real bias = tanh1 * ratio;
     real gain = d * sg_gain_step(lambda, product, step) * (K(1.0) + bias + c * bias_step) + bias_step;
     real value = K(0.5) * (cosine_scale * c * gain + cosine_rest * (K(1.0) + bias));
-    return v <= K(1.0e-37) ? max(z, K(0.0)) : clamp(value, K(0.0), K(1.0));
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= K(5.316911983139663e36) ? max(z, K(0.0)) : clamp(value, K(0.0), K(1.0));
 }

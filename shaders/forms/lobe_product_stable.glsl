@@ -15,5 +15,6 @@ real sg_form(real lambda, real cos_theta)
     real drop = K(2.0) * cosine_sharpness * (K(1.0) - z);
     real area = sg_integral(sum * product) / sg_integral(lambda);
     real value = min(cosine_amplitude * exp(-drop * share / (K(1.0) + product)) * area, K(1.0));
-    return K(1.0) / (K(1.0) + lambda) <= K(1.0e-37) ? max(z, K(0.0)) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= K(5.316911983139663e36) ? max(z, K(0.0)) : value;
 }

@@ -14,5 +14,6 @@ real sg_form(real lambda, real cos_theta)
     real e = exp(-t * size);
     real c = max(z, K(0.0)) + K(0.5) * u * e / (K(1.0) + e) * (K(1.0) - size);
     real value = sg_L_b(lambda) + sg_mean(lambda) * c;
-    return K(1.0) / (K(1.0) + lambda) <= K(1.0e-37) ? max(z, K(0.0)) : value;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= K(5.316911983139663e36) ? max(z, K(0.0)) : value;
 }

@@ -34,5 +34,6 @@ real sg_form(real lambda, real cos_theta)
     real below = K(0.25) + lambda * (start + lambda * (K(3.0) * rise - K(2.0) * start - slope
         + lambda * (start + slope - K(2.0) * rise)));
     real found = lambda < K(1.0) ? below : value;
-    return K(1.0) / (K(1.0) + lambda) <= K(1.0e-37) ? max(z, K(0.0)) : found;
+    // 2^122, the same number in float and double, stands for infinity
+    return lambda >= K(5.316911983139663e36) ? max(z, K(0.0)) : found;
 }
