@@ -1,0 +1,106 @@
+/* render.h: the validation renderer. A frame holds a scene on a device with its G-buffer and its
+ * lights; a pipeline fills the frame's light buffer (irradiance), everything else is shared. */
+#ifndef RENDER_RENDER_H
+#define RENDER_RENDER_H
+
+#include "gpu/pass.h"
+#include "render/scene.h"
+
+/* ---- Statistics --------------------------------------------------------------------------------- */
+
+enum { RENDER_MOST_TIMES = 64 };
+
+typedef struct render_statistics {
+    uint64_t pixels_covered;   /* with a surface and a light value that the pipeline made for them */
+    uint64_t pixels_uncovered; /* with a surface, but no light value */
+    uint64_t pixels_wrong;     /* lit by a segment that they are not part of */
+    uint64_t quads, vertices;
+    uint64_t light_evaluations; /* pairs of a point and a light, as the shaders executed them */
+    uint64_t ground_truth_evaluations; /* pixels with a surface times lights */
+    uint64_t triangles, lights;
+    int time_count;
+    struct {
+        const char *name; /* of the pass */
+        double ms;        /* median of the runs */
+    } times[RENDER_MOST_TIMES];
+} render_statistics;
+
+/* Of irradiance, over the covered pixels. The error of a pixel is the root mean square over the
+ * three channels of (E - E_gt), divided by the mean of E_gt over the pixels and the channels. */
+typedef struct render_comparison {
+    double rel; /* root mean square of the errors */
+    double p50, p95, p99, p999;
+    double bias; /* mean of E - E_gt, divided by the mean of E_gt */
+} render_comparison;
+
+/* light, truth: 4 floats a pixel, the last one 0 where there is no surface. errors: where not NULL,
+ * one a pixel. */
+void render_compare(size_t pixels, const float *light, const float *truth, float *errors,
+                    render_comparison *result);
+
+/* ---- Frames --------------------------------------------------------------------------------------- */
+
+typedef struct render_options {
+    uint32_t width, height;
+    const char *method;   /* of the registry, for passes that integrate lobes; NULL: "standard" */
+    bool detailed_normals; /* strong procedural detail on the shading normals */
+    int runs;              /* of which times are the medians; 0 counts as 1 */
+} render_options;
+
+typedef struct render_frame {
+    gpu_device *device;
+    const render_scene *scene;
+    render_options options;
+    uint32_t width, height, light_count;
+
+    gpu_buffer *view;   /* struct View of shaders/common/frame.glsl */
+    gpu_buffer *lights; /* struct Light of shaders/common/lights.glsl */
+    gpu_buffer *counters; /* uint32 pairs (low, high), see render_counter */
+
+    gpu_image *position; /* GPU_RGBA32F: world position; w: distance along the view axis, 0: no surface */
+    gpu_image *normal;   /* GPU_RG32U: octahedral, packSnorm2x16: x shading, y geometric normal */
+    gpu_image *albedo;   /* GPU_RGBA8 */
+    gpu_image *depth;    /* GPU_DEPTH32 */
+    gpu_image *light;    /* GPU_RGBA32F: irradiance, w: 1 lit, 0 no surface, -1 uncovered, -2 wrongly owned */
+    gpu_image *image;    /* GPU_RGBA32F: radiance, albedo/pi applied */
+} render_frame;
+
+/* Makes the images, draws the G-buffer and the reflective shadow map and turns its texels and the
+ * area lights into triangles. */
+gpu_status render_frame_create(gpu_device *device, const render_scene *scene,
+                               const render_options *options, render_frame *frame);
+void render_frame_destroy(render_frame *frame);
+
+/* ---- Pipelines ------------------------------------------------------------------------------------- */
+
+typedef struct render_pipeline {
+    const char *id;    /* as after --pipeline */
+    const char *title; /* one line */
+    /* Makes buffers and pipelines of its own for the frame. */
+    gpu_status (*create)(render_frame *frame, void **state);
+    /* Fills frame->light, options.runs times, and adds its counts and times to the statistics. */
+    gpu_status (*run)(render_frame *frame, void *state, render_statistics *statistics);
+    /* Writes an image of every stage into a folder; NULL: has none. False after one line. */
+    bool (*dump)(render_frame *frame, void *state, const char *folder);
+    void (*destroy)(void *state);
+} render_pipeline;
+
+extern const render_pipeline *const render_pipelines[]; /* ends with NULL */
+const render_pipeline *render_pipeline_find(const char *id); /* NULL: unknown */
+
+/* Runs a list of steps frame->options.runs times and adds the median time of each to the
+ * statistics under its name. prefix_runs steps... are run each time: a list must be repeatable. */
+gpu_status render_run(render_frame *frame, const gpu_step *steps, int count,
+                      render_statistics *statistics);
+
+/* ---- Shaders ---------------------------------------------------------------------------------------- */
+
+/* A shader of shaders/ by its path below that folder ("hull/gather.comp"): SPIR-V embedded at
+ * build time. NULL words where there is none of that name. */
+gpu_shader render_shader(const char *path);
+
+/* The same compiled now with SG_METHOD, by which integrating passes call the fitted form, set to
+ * another method of the registry; source is the text with its includes spliced in. free() source. */
+gpu_status render_shader_method(const char *path, const char *method, gpu_shader *shader);
+
+#endif
