@@ -2,7 +2,7 @@
 #ifndef BENCH_BENCH_H
 #define BENCH_BENCH_H
 
-#include "options.h"
+#include "base/options.h"
 
 extern const base_command bench_commands[];
 

@@ -2,10 +2,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/file.h"
+#include "base/json.h"
 #include "chart.h"
-#include "file.h"
 #include "html.h"
-#include "json.h"
 #include "page_css.h"
 
 static void pairs(page *page, const cJSON *object)

@@ -4,14 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/csv.h"
+#include "base/file.h"
+#include "base/json.h"
+#include "base/text.h"
 #include "chart.h"
 #include "cost.h"
-#include "csv.h"
-#include "file.h"
-#include "json.h"
 #include "report_constants.h"
 #include "score.h"
-#include "text.h"
 
 const char *const chart_columns[CHART_FIGURES] = {
     "max_abs_f32", "rmse_f32", "gpu_instructions", "gpu_slope", "cpu_batch_ns_f32", "device_ratio",

@@ -4,13 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/json.h"
+#include "base/text.h"
 #include "chart.h"
 #include "chart_css.h"
 #include "chart_js.h"
 #include "chart_library.h"
 #include "html.h"
-#include "json.h"
-#include "text.h"
 
 static const char *const kind_ids[CHART_KINDS] = {"published", "stable", "refit", "tier", "table"};
 

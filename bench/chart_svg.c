@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "chart.h"
 #include "gnuplot.h"
-#include "text.h"
 
 const chart_look chart_looks[CHART_KINDS] = {
     [CHART_PUBLISHED] = {"published, as printed", 2, "circle", "●", 7},

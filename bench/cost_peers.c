@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/buffer.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "cost.h"
-#include "tables/buffer.h"
 
 /* Takes the function of that name out of the text, which is as `sgfit emit` lays it out. */
 static void cut_function(char *text, const char *name)
@@ -34,7 +34,7 @@ static bool replace(buffer *peers, char *text, const char *folder, const char *f
         return false;
     buffer_add(peers, peer);
     free(peer);
-    char *name = tables_copy(file, strlen(file) - strlen(".glsl"));
+    char *name = base_copy(file, strlen(file) - strlen(".glsl"));
     cut_function(text, name);
     free(name);
     return true;
@@ -45,7 +45,7 @@ char *cost_as_shipped(const char *glsl)
     char **files;
     size_t count;
     char *folder = base_join(base_source_root(), "bench/peers");
-    char *ours = tables_copy(glsl, strlen(glsl));
+    char *ours = base_copy(glsl, strlen(glsl));
     buffer text = {0};
     bool good = base_list(folder, ".glsl", &files, &count);
     if (good) {

@@ -37,7 +37,7 @@ static char *method_text(const form_list *forms, const method_list *methods, con
 static void add(cost_subjects *subjects, cost_subject subject)
 {
     subjects->list =
-        tables_reallocate(subjects->list, (subjects->count + 1) * sizeof *subjects->list);
+        base_reallocate(subjects->list, (subjects->count + 1) * sizeof *subjects->list);
     subjects->list[subjects->count++] = subject;
 }
 
@@ -53,7 +53,7 @@ static bool add_methods(cost_subjects *subjects, const form_list *forms, const m
             char *glsl = method_text(forms, methods, method->id, quantities[j]);
             if (!glsl)
                 return false;
-            cost_subject subject = {.id = tables_copy(method->id, strlen(method->id)),
+            cost_subject subject = {.id = base_copy(method->id, strlen(method->id)),
                                     .quantity = quantities[j],
                                     .method = method,
                                     .glsl = glsl};

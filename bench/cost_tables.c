@@ -21,7 +21,7 @@ typedef struct table {
 
 static bool fill_tail(float *texels)
 {
-    double *exact = tables_allocate(TAIL_SIZE * TAIL_SIZE * sizeof *exact);
+    double *exact = base_allocate(TAIL_SIZE * TAIL_SIZE * sizeof *exact);
     tail_fit(exact);
     for (size_t i = 0; i < (size_t)TAIL_SIZE * TAIL_SIZE; i++)
         texels[i] = (float)exact[i];
@@ -49,7 +49,7 @@ static double bulge(int i)
 
 static bool fill_pair(float *texels)
 {
-    float *tail = tables_allocate(TAIL_SIZE * TAIL_SIZE * sizeof *tail);
+    float *tail = base_allocate(TAIL_SIZE * TAIL_SIZE * sizeof *tail);
     fill_tail(tail);
     for (int i = 0; i < TAIL_SIZE; i++) {
         double m = sg_mean_from_sharpness(sharpness_at(i / (double)(TAIL_SIZE - 1)));
@@ -132,7 +132,7 @@ bool cost_table_subject(size_t index, const form_list *forms, sg_quantity quanti
     free(path);
     buffer_free(&wanted);
     uint32_t rows = table->height ? table->height : 1;
-    float *texels = tables_allocate((size_t)table->width * rows * table->channels * sizeof *texels);
+    float *texels = base_allocate((size_t)table->width * rows * table->channels * sizeof *texels);
     good = good && table->fill(texels);
     if (!good) {
         buffer_free(&text);
@@ -140,7 +140,7 @@ bool cost_table_subject(size_t index, const form_list *forms, sg_quantity quanti
         return false;
     }
     *subject = (cost_subject){
-        .id = tables_copy(table->id, strlen(table->id)),
+        .id = base_copy(table->id, strlen(table->id)),
         .quantity = quantity,
         .glsl = text.text,
         .texture = {table->width, table->height, (int)table->channels, false, texels},

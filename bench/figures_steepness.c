@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/progress.h"
 #include "html.h"
 #include "plot.h"
-#include "progress.h"
 #include "report.h"
 
 enum { POINTS = 121, ANGLES = 201 };

@@ -11,9 +11,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "html.h"
 #include "plot.h"
-#include "text.h"
 
 extern char **environ;
 

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "file.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "html.h"
-#include "text.h"
 
 typedef struct bytes {
     char *name, *data;

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "gnuplot.h"
 #include "html.h"
-#include "text.h"
 
 static void quoted(FILE *out, const char *text)
 {

@@ -125,7 +125,7 @@ static void refit(const search *s, profile_candidate *c, int steps, bool minimax
 
 static void push(profile_list *to, const profile_candidate *candidate)
 {
-    to->list = tables_reallocate(to->list, (to->count + 1) * sizeof *to->list);
+    to->list = base_reallocate(to->list, (to->count + 1) * sizeof *to->list);
     to->list[to->count++] = *candidate;
 }
 

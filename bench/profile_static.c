@@ -262,7 +262,7 @@ static int cost(const reader *r, const node *n)
 
 bool profile_static_count(const form *text, const double *coefficients, double *count)
 {
-    reader *r = tables_allocate(sizeof *r);
+    reader *r = base_allocate(sizeof *r);
     memset(r, 0, sizeof *r);
     r->text = text;
     r->coefficients = coefficients;

@@ -5,13 +5,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "file.h"
+#include "base/file.h"
+#include "base/options.h"
+#include "base/progress.h"
+#include "base/text.h"
 #include "gnuplot.h"
-#include "options.h"
 #include "page_css.h"
-#include "progress.h"
 #include "report_speed.h"
-#include "text.h"
 
 /* The page in its order. A section that another command contributes is one more row. */
 static const report_section sections[] = {

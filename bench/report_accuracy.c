@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/text.h"
 #include "html.h"
 #include "report.h"
-#include "text.h"
 
 static void csv_numbers(FILE *out, const double *values, size_t count)
 {

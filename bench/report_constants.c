@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "file.h"
-#include "json.h"
+#include "base/file.h"
+#include "base/json.h"
+#include "base/text.h"
 #include "report.h"
-#include "text.h"
 
 void report_constants_free(report_constants *c)
 {

@@ -1,8 +1,8 @@
 /* report_cost.c: the section "Speed against accuracy". */
 #include <stdlib.h>
 
+#include "base/file.h"
 #include "chart.h"
-#include "file.h"
 #include "html.h"
 #include "report.h"
 

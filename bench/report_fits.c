@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "html.h"
 #include "report.h"
 #include "report_constants.h"
-#include "text.h"
 
 /* "least_squares, λ 0.25 to 10000, log × cos_theta, uniform" */
 static void describe(const cJSON *entry, char *text, size_t size)

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/progress.h"
+#include "base/text.h"
 #include "html.h"
-#include "progress.h"
 #include "report.h"
-#include "text.h"
 
 enum { PER_DECADE = 16, DECADES = 18, STEPS = PER_DECADE * DECADES + 1, ANGLES = 129, KINDS = 3 };
 

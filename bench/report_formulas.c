@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/text.h"
 #include "html.h"
 #include "report.h"
-#include "text.h"
 
 /* Every operation rounds to the type, as in a program that takes the formula from the paper. */
 static double A_u_f64(double l)

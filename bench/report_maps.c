@@ -5,12 +5,12 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "csv.h"
-#include "file.h"
+#include "base/csv.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "html.h"
 #include "report.h"
 #include "stability.h"
-#include "text.h"
 
 static void base64(FILE *out, const unsigned char *bytes, size_t size)
 {

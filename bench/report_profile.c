@@ -28,7 +28,7 @@ static void compare(const choose_domain *domain, const profile_list *tiers,
         const profile_candidate *fitted = profile_choose(ladder, false, (double)INFINITY, bar);
         if (general != &tiers->list[i] || !fitted)
             continue; /* another tier is both cheaper and better there */
-        to->list = tables_reallocate(to->list, (to->count + 1) * sizeof *to->list);
+        to->list = base_reallocate(to->list, (to->count + 1) * sizeof *to->list);
         to->list[to->count++] = (profile_saving){.profile = title,
                                                  .points = domain->count,
                                                  .lambda_min = domain->lambda_min,

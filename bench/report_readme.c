@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/file.h"
+#include "base/text.h"
 #include "chart.h"
-#include "file.h"
 #include "html.h"
 #include "report.h"
-#include "text.h"
 
 static const char begin[] = "<!-- figures:", end[] = "<!-- /figures -->";
 

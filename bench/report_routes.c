@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/progress.h"
+#include "base/text.h"
 #include "html.h"
-#include "progress.h"
 #include "report.h"
-#include "text.h"
 
 enum { SHARPNESSES = 10, ANGLES = 8 };
 

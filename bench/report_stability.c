@@ -7,12 +7,12 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "csv.h"
-#include "file.h"
+#include "base/csv.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "html.h"
 #include "report.h"
 #include "stability.h"
-#include "text.h"
 
 typedef struct failure {
     char method[64], precision[16], kind[32];

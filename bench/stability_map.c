@@ -1,13 +1,11 @@
 /* stability_map.c: the failure maps, as EXR to be read by programs and as PNG to be looked at. */
 #include <math.h>
-#include <png.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/file.h"
-#include "base/text.h"
+#include "base/exr.h"
+#include "base/png.h"
 #include "stability_private.h"
-#include "tables/exr.h"
 
 enum { WIDTH = STABILITY_MAP_WIDTH, HEIGHT = STABILITY_MAP_HEIGHT, PIXELS = WIDTH * HEIGHT };
 
@@ -71,17 +69,7 @@ static bool write_png(const stability_map *map, const char *path)
     uint8_t pixels[PIXELS][3];
     for (int i = 0; i < PIXELS; i++)
         stability_color((double)map->error[i], (stability_mark)map->mark[i], pixels[i]);
-    png_image image = {
-        .version = PNG_IMAGE_VERSION, .width = WIDTH, .height = HEIGHT, .format = PNG_FORMAT_RGB};
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-    uint8_t *bytes = stability_allocate(size);
-    bool good = png_image_write_to_memory(&image, bytes, &size, 0, pixels, 0, NULL) != 0;
-    if (good)
-        good = base_write_file(path, bytes, size);
-    else
-        base_error("%s: cannot encode PNG: %s", path, image.message);
-    free(bytes);
-    return good;
+    return png_write(path, WIDTH, HEIGHT, &pixels[0][0]);
 }
 
 static bool write_exr(const stability_map *map, const char *path)
@@ -91,12 +79,10 @@ static bool write_exr(const stability_map *map, const char *path)
          "Y: log10 of the absolute error of L, at least -17; mark: 0 a number in [0, 1], "
          "1 negative, 2 above one, 3 infinite, 4 NaN"},
         {"mapping", "x: sharpness, logarithmic from 1e-12 to 1e12; y: beta, uniform from 0 to pi"}};
-    const exr_channel channels[] = {{"Y", map->error}, {"mark", map->mark}};
+    const exr_channel channels[] = {{.name = "Y", .pixels = map->error},
+                                    {.name = "mark", .pixels = map->mark}};
     const exr_image image = {WIDTH, HEIGHT, channels, 2, true, true, attributes, 2};
-    buffer bytes = {0};
-    bool good = exr_encode(&bytes, &image) && base_write_file(path, bytes.text, bytes.length);
-    buffer_free(&bytes);
-    return good;
+    return exr_write(path, &image);
 }
 
 bool stability_map_write(const stability_map *map, const char *path)

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "progress.h"
+#include "base/progress.h"
 
 static const double pi = 3.14159265358979323846;
 static const double infinity = (double)INFINITY;

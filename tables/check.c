@@ -150,7 +150,7 @@ bool form_signature(form *text)
 bool form_check(form *text, const form_list *list)
 {
     parser p = {.text = text, .list = list, .at = text->tokens};
-    text->uses = tables_allocate((list->helper_count + 1) * sizeof *text->uses);
+    text->uses = base_allocate((list->helper_count + 1) * sizeof *text->uses);
     memset(text->uses, 0, (list->helper_count + 1) * sizeof *text->uses);
     if (!head(&p) || !parse_take(&p, "{"))
         return false;

@@ -13,7 +13,7 @@
 /* The line on which a key stands in the file: cJSON keeps none. 1 where it is not found. */
 static int line_of(const char *path, const char *key)
 {
-    char *text = base_read_file(path, NULL), *quoted = tables_allocate(strlen(key) + 3);
+    char *text = base_read_file(path, NULL), *quoted = base_allocate(strlen(key) + 3);
     quoted[0] = '"';
     strcpy(quoted + 1, key);
     strcat(quoted, "\"");
@@ -157,7 +157,7 @@ static bool read_one(method *method, const char *folder, const char *file, const
     const cJSON *command = cJSON_GetObjectItemCaseSensitive(provenance, "command");
     method->command = cJSON_IsString(command) ? command->valuestring : NULL;
     method->coefficients =
-        tables_allocate((method->form->coefficient_count + 1) * sizeof *method->coefficients);
+        base_allocate((method->form->coefficient_count + 1) * sizeof *method->coefficients);
     return true;
 }
 
@@ -196,7 +196,7 @@ bool methods_read(method_list *list, const char *folder, const form_list *forms)
     if (!base_list(folder, ".json", &names, &count))
         return false;
     bool good = true;
-    list->methods = tables_allocate((count + 1) * sizeof *list->methods);
+    list->methods = base_allocate((count + 1) * sizeof *list->methods);
     for (size_t i = 0; good && i < count; i++)
         good = read_one(&list->methods[list->count++], folder, names[i], forms);
     base_list_free(names, count);

@@ -44,7 +44,7 @@ static void add_cost(method *method, const base_csv *csv, const columns *at)
     method->cost = text.text;
     if (strcmp(quantity, "A_h") == 0) {
         free(method->instructions);
-        method->instructions = tables_copy(instructions, strlen(instructions));
+        method->instructions = base_copy(instructions, strlen(instructions));
     }
 }
 

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "buffer.h"
+#include "base/buffer.h"
 
 /* CSV lambda,beta,c,s and CSV lambda,t,u. */
 void curves_c_s(buffer *out);

@@ -150,7 +150,7 @@ static void introduction(buffer *out, const method_list *methods, const method *
 bool emit_glsl(buffer *out, const form_list *forms, const method_list *methods, const method *only,
                const char *lobe_path, const char *lobe, const method *irradiance)
 {
-    bool *needed = tables_allocate(forms->helper_count + 1);
+    bool *needed = base_allocate(forms->helper_count + 1);
     memset(needed, 0, forms->helper_count + 1);
     buffer wrappers = {0};
     bool good = plain_text(&wrappers, forms, lobe_path, lobe, irradiance, "sg_", needed);
@@ -175,7 +175,7 @@ bool emit_glsl(buffer *out, const form_list *forms, const method_list *methods, 
 
 bool emit_table_glsl(buffer *out, const form_list *forms, const char *path, const char *text)
 {
-    bool *needed = tables_allocate(forms->helper_count + 1);
+    bool *needed = base_allocate(forms->helper_count + 1);
     memset(needed, 0, forms->helper_count + 1);
     buffer body = {0};
     bool good = plain_text(&body, forms, path, text, NULL, "sg_table_", needed);

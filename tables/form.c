@@ -19,8 +19,8 @@ static char **words(const char *text, size_t *count)
     *count = 0;
     for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
         size_t length = strcspn(text, " ");
-        list = tables_reallocate(list, (*count + 1) * sizeof *list);
-        list[(*count)++] = tables_copy(text, length);
+        list = base_reallocate(list, (*count + 1) * sizeof *list);
+        list[(*count)++] = base_copy(text, length);
         text += length;
     }
     return list;
@@ -41,7 +41,7 @@ static void header_line(form *text, const char *line, size_t length, bool first,
             length--;
         }
     }
-    char *value = tables_copy(line, length);
+    char *value = base_copy(line, length);
     char **place = key == 0 ? &text->computes : key == 2 ? &text->source : &text->c_double;
     size_t id = strlen(text->id);
     if (key == 1) {
@@ -55,8 +55,8 @@ static void header_line(form *text, const char *line, size_t length, bool first,
         free(*place);
         *place = value;
     } else if (first && strncmp(value, text->id, id) == 0 && value[id] == ':') {
-        text->about = tables_copy(value + id + 1 + strspn(value + id + 1, " "),
-                                  strlen(value + id + 1 + strspn(value + id + 1, " ")));
+        text->about = base_copy(value + id + 1 + strspn(value + id + 1, " "),
+                                strlen(value + id + 1 + strspn(value + id + 1, " ")));
         free(value);
     } else {
         buffer_print(notes, "%s\n", value);
@@ -82,7 +82,7 @@ static const char *header(form *text, int *line)
         at += length + (at[length] == '\n');
         (*line)++;
     }
-    text->notes = notes.text ? notes.text : tables_copy("", 0);
+    text->notes = notes.text ? notes.text : base_copy("", 0);
     return at;
 }
 
@@ -105,7 +105,7 @@ static bool header_valid(const form *text)
 static bool read_one(form *text, const char *folder, const char *name, bool helper)
 {
     *text = (form){.path = base_join(folder, name), .helper = helper};
-    text->id = tables_copy(name, strlen(name) - strlen(".glsl"));
+    text->id = base_copy(name, strlen(name) - strlen(".glsl"));
     text->text = base_read_file(text->path, NULL);
     if (!text->text)
         return false;
@@ -124,7 +124,7 @@ static bool read_folder(const char *folder, bool helper, form **texts, size_t *c
     if (!base_list(folder, ".glsl", &names, &name_count))
         return false;
     bool good = true;
-    *texts = tables_allocate((name_count + 1) * sizeof **texts);
+    *texts = base_allocate((name_count + 1) * sizeof **texts);
     for (size_t i = 0; good && i < name_count; i++) {
         if (helper || is_formula(names[i]))
             good = read_one(&(*texts)[(*count)++], folder, names[i], helper);
@@ -161,21 +161,21 @@ static bool visit(const form_list *list, size_t at, char *state, size_t *order, 
 static bool sort_helpers(form_list *list)
 {
     size_t count = 0, total = list->helper_count;
-    char *state = tables_allocate(total + 1);
-    size_t *order = tables_allocate((total + 1) * sizeof *order);
+    char *state = base_allocate(total + 1);
+    size_t *order = base_allocate((total + 1) * sizeof *order);
     memset(state, 0, total + 1);
     bool good = true;
     for (size_t i = 0; good && i < total; i++)
         good = visit(list, i, state, order, &count);
     if (good) {
-        form *sorted = tables_allocate((total + 1) * sizeof *sorted);
+        form *sorted = base_allocate((total + 1) * sizeof *sorted);
         for (size_t i = 0; i < total; i++)
             sorted[i] = list->helpers[order[i]];
         free(list->helpers);
         list->helpers = sorted;
         for (size_t t = 0; t < total + list->form_count; t++) {
             form *text = t < total ? &list->helpers[t] : &list->forms[t - total];
-            bool *uses = tables_allocate((total + 1) * sizeof *uses);
+            bool *uses = base_allocate((total + 1) * sizeof *uses);
             for (size_t i = 0; i < total; i++)
                 uses[i] = text->uses[order[i]];
             free(text->uses);

@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "buffer.h"
+#include "base/buffer.h"
 
 typedef enum token_kind { TOKEN_NAME, TOKEN_NUMBER, TOKEN_SIGN, TOKEN_BLANK, TOKEN_END } token_kind;
 

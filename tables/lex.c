@@ -54,7 +54,7 @@ bool form_tokens(const char *path, const char *text, int first_line, token **tok
 {
     size_t capacity = 256;
     int line = first_line;
-    *tokens = tables_allocate(capacity * sizeof **tokens);
+    *tokens = base_allocate(capacity * sizeof **tokens);
     *count = 0;
     for (;;) {
         token next = {.start = text, .line = line, .kind = TOKEN_END};
@@ -80,7 +80,7 @@ bool form_tokens(const char *path, const char *text, int first_line, token **tok
         }
         if (*count == capacity) {
             capacity *= 2;
-            *tokens = tables_reallocate(*tokens, capacity * sizeof **tokens);
+            *tokens = base_reallocate(*tokens, capacity * sizeof **tokens);
         }
         (*tokens)[(*count)++] = next;
         if (next.kind == TOKEN_END)

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "exr.h"
+#include "base/exr.h"
 #include "sg.h"
 #include "tail.h"
 
@@ -113,7 +113,7 @@ bool lut_make(lut *made)
         halves[i] = to_half(texels[i]);
     }
     readme(&made->readme, texels, halves);
-    const exr_channel channel = {"Y", pixels};
+    const exr_channel channel = {.name = "Y", .pixels = pixels};
     exr_image image = {TAIL_SIZE, TAIL_SIZE, &channel, 1, false, false, attributes, ATTRIBUTES};
     bool good = exr_encode(&made->float_exr, &image);
     image.half = true;

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "buffer.h"
+#include "base/buffer.h"
 
 typedef struct lut {
     buffer float_exr, half_exr; /* whole files */

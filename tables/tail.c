@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "buffer.h"
+#include "base/buffer.h"
 #include "sg.h"
 
 enum { PER_CELL = 8, LINE = (TAIL_SIZE - 1) * PER_CELL + 1, TEXELS = TAIL_SIZE * TAIL_SIZE };
@@ -111,7 +111,7 @@ static double dot(const double *a, const double *b)
 static void solve(const sample *samples, size_t count, double *texels)
 {
     static const int steps = 40;
-    double *r = tables_allocate(3 * TEXELS * sizeof *r), *p = r + TEXELS, *q = p + TEXELS;
+    double *r = base_allocate(3 * TEXELS * sizeof *r), *p = r + TEXELS, *q = p + TEXELS;
     memset(r, 0, TEXELS * sizeof *r);
     for (size_t s = 0; s < count; s++) {
         const sample *at = &samples[s];
@@ -150,7 +150,7 @@ static double largest_error(const sample *samples, size_t count, const double *t
 void tail_fit(double texels[TEXELS])
 {
     enum { ROUNDS = 4 }; /* 40 would gain 2 % */
-    sample *samples = tables_allocate((size_t)LINE * LINE * sizeof *samples);
+    sample *samples = base_allocate((size_t)LINE * LINE * sizeof *samples);
     size_t count = make_samples(samples);
     for (int j = 0; j < TAIL_SIZE; j++) {
         for (int i = 0; i < TAIL_SIZE; i++)

@@ -12,11 +12,11 @@
 
 #include <cmocka.h>
 
+#include "base/exr.h"
 #include "base/text.h"
 #include "emit_sources.h"
 #include "program.h"
 #include "sg.h"
-#include "tables/exr.h"
 #include "workspace.h"
 
 static workspace work;

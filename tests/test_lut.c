@@ -12,9 +12,9 @@
 
 #include <cmocka.h>
 
+#include "base/exr.h"
 #include "base/file.h"
 #include "sg.h"
-#include "tables/exr.h"
 
 typedef struct texture {
     float *texels;

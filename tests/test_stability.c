@@ -10,13 +10,13 @@
 
 #include <cmocka.h>
 
+#include "base/exr.h"
 #include "base/file.h"
 #include "base/progress.h"
 #include "bench/kinks.h"
 #include "bench/smoothness.h"
 #include "bench/stability.h"
 #include "program.h"
-#include "tables/exr.h"
 #include "workspace.h"
 
 static const sg_method *sound(void)

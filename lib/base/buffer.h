@@ -1,6 +1,6 @@
 /* buffer.h: text that grows. An allocation failure ends the program: nothing sensible is left. */
-#ifndef TABLES_BUFFER_H
-#define TABLES_BUFFER_H
+#ifndef BASE_BUFFER_H
+#define BASE_BUFFER_H
 
 #include <stddef.h>
 
@@ -21,8 +21,8 @@ void buffer_wrap(buffer *out, const char *first, const char *next, const char *t
 void buffer_free(buffer *out);
 
 /* malloc, realloc and strndup that end the program when there is no memory. */
-void *tables_allocate(size_t size);
-void *tables_reallocate(void *memory, size_t size);
-char *tables_copy(const char *text, size_t length);
+void *base_allocate(size_t size);
+void *base_reallocate(void *memory, size_t size);
+char *base_copy(const char *text, size_t length);
 
 #endif

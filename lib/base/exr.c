@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
+#include "file.h"
+#include "text.h"
 
 /* The core's own messages would be further lines on standard error. */
 static void silent(exr_const_context_t context, exr_result_t code, const char *message)
@@ -21,10 +22,26 @@ static int64_t into_buffer(exr_const_context_t context, void *user, const void *
     (void)context;
     (void)error;
     buffer *out = user;
-    while (out->length < offset + size)
-        buffer_add_n(out, "\0\0\0\0\0\0\0", 1);
+    size_t end = (size_t)(offset + size);
+    if (end > out->length) { /* what is skipped is written later */
+        if (end + 1 > out->capacity) {
+            out->capacity = 2 * (end + 1);
+            out->text = base_reallocate(out->text, out->capacity);
+        }
+        memset(out->text + out->length, 0, end + 1 - out->length);
+        out->length = end;
+    }
     memcpy(out->text + offset, bytes, size);
     return (int64_t)size;
+}
+
+/* The core keeps channels in the order of their names, whatever the order they were given in. */
+static const exr_channel *find_channel(const exr_image *image, const char *name)
+{
+    size_t c = 0;
+    while (strcmp(image->channels[c].name, name) != 0)
+        c++;
+    return &image->channels[c];
 }
 
 static exr_result_t write_rows(exr_context_t file, const exr_image *image)
@@ -39,14 +56,16 @@ static exr_result_t write_rows(exr_context_t file, const exr_image *image)
                             : exr_encoding_update(file, 0, &chunk, &pipeline);
         if (status != EXR_ERR_SUCCESS)
             break;
-        for (size_t c = 0; c < image->channel_count; c++) {
-            const float *pixels = image->channels[c].pixels;
+        for (int16_t c = 0; c < pipeline.channel_count; c++) {
             exr_coding_channel_info_t *channel = &pipeline.channels[c];
+            const exr_channel *from = find_channel(image, channel->channel_name);
+            int stride = from->stride ? from->stride : 1;
+            size_t row = (size_t)y * (size_t)image->width * (size_t)stride;
             channel->user_bytes_per_element = 4;
             channel->user_data_type = EXR_PIXEL_FLOAT;
-            channel->user_pixel_stride = 4;
-            channel->user_line_stride = 4 * image->width;
-            channel->encode_from_ptr = (const uint8_t *)(pixels + (size_t)y * (size_t)image->width);
+            channel->user_pixel_stride = 4 * stride;
+            channel->user_line_stride = 4 * stride * image->width;
+            channel->encode_from_ptr = (const uint8_t *)(from->pixels + row);
         }
         if (y == 0)
             status = exr_encoding_choose_default_routines(file, 0, &pipeline);
@@ -67,12 +86,21 @@ static exr_result_t write_head(exr_context_t file, const exr_image *image)
                                                                        : EXR_COMPRESSION_NONE);
     for (size_t c = 0; status == EXR_ERR_SUCCESS && c < image->channel_count; c++)
         status = exr_add_channel(file, part, image->channels[c].name,
-                                 image->half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                                 image->half || image->channels[c].half ? EXR_PIXEL_HALF
+                                                                        : EXR_PIXEL_FLOAT,
                                  EXR_PERCEPTUALLY_LINEAR, 1, 1);
     for (size_t i = 0; status == EXR_ERR_SUCCESS && i < image->attribute_count; i++)
         status =
             exr_attr_set_string(file, part, image->attributes[i].name, image->attributes[i].value);
     return status == EXR_ERR_SUCCESS ? exr_write_header(file) : status;
+}
+
+bool exr_write(const char *path, const exr_image *image)
+{
+    buffer bytes = {0};
+    bool good = exr_encode(&bytes, image) && base_write_file(path, bytes.text, bytes.length);
+    buffer_free(&bytes);
+    return good;
 }
 
 bool exr_encode(buffer *out, const exr_image *image)
@@ -153,7 +181,7 @@ float *exr_read(const char *path, const char *channel, int *width, int *height)
             status = EXR_ERR_INVALID_ATTR;
     }
     if (status == EXR_ERR_SUCCESS) {
-        pixels = tables_allocate((size_t)*width * (size_t)*height * sizeof *pixels);
+        pixels = base_allocate((size_t)*width * (size_t)*height * sizeof *pixels);
         status = read_rows(file, channel, pixels, *width, *height, window.min.y);
     }
     exr_finish(&file);

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
+#include "text.h"
 
-void *tables_reallocate(void *memory, size_t size)
+void *base_reallocate(void *memory, size_t size)
 {
     void *grown = realloc(memory, size ? size : 1);
     if (!grown) {
@@ -18,14 +18,14 @@ void *tables_reallocate(void *memory, size_t size)
     return grown;
 }
 
-void *tables_allocate(size_t size)
+void *base_allocate(size_t size)
 {
-    return tables_reallocate(NULL, size);
+    return base_reallocate(NULL, size);
 }
 
-char *tables_copy(const char *text, size_t length)
+char *base_copy(const char *text, size_t length)
 {
-    char *copy = tables_allocate(length + 1);
+    char *copy = base_allocate(length + 1);
     memcpy(copy, text, length);
     copy[length] = '\0';
     return copy;
@@ -35,7 +35,7 @@ void buffer_add_n(buffer *out, const char *text, size_t length)
 {
     if (out->length + length + 1 > out->capacity) {
         out->capacity = 2 * (out->length + length + 1);
-        out->text = tables_reallocate(out->text, out->capacity);
+        out->text = base_reallocate(out->text, out->capacity);
     }
     memcpy(out->text + out->length, text, length);
     out->length += length;
@@ -53,7 +53,7 @@ void buffer_print(buffer *out, const char *format, ...)
     va_start(arguments, format);
     va_copy(again, arguments);
     int length = vsnprintf(NULL, 0, format, arguments);
-    char *text = tables_allocate((size_t)length + 1);
+    char *text = base_allocate((size_t)length + 1);
     vsnprintf(text, (size_t)length + 1, format, again);
     va_end(again);
     va_end(arguments);

@@ -1,6 +1,6 @@
 /* exr.h: OpenEXR images to and from arrays of float. */
-#ifndef TABLES_EXR_H
-#define TABLES_EXR_H
+#ifndef BASE_EXR_H
+#define BASE_EXR_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,15 +12,17 @@ typedef struct exr_text {
 } exr_text;
 
 typedef struct exr_channel {
-    const char *name;
+    const char *name;    /* "Y", or with a layer: "position.X" */
     const float *pixels; /* width*height, rows from y = 0 on */
+    int stride;          /* floats from one pixel to the next; 0 counts as 1 */
+    bool half;           /* as half, else as float */
 } exr_channel;
 
 typedef struct exr_image {
     int width, height;
-    const exr_channel *channels; /* in the order of their names */
+    const exr_channel *channels; /* of different names */
     size_t channel_count;
-    bool half;       /* as half, else as float */
+    bool half;       /* every channel as half */
     bool compressed; /* without loss (zips) */
     const exr_text *attributes;
     size_t attribute_count;
@@ -28,6 +30,9 @@ typedef struct exr_image {
 
 /* The bytes of an EXR file. False after one line. */
 bool exr_encode(buffer *out, const exr_image *image);
+
+/* The same into a file, which appears whole or not at all. */
+bool exr_write(const char *path, const exr_image *image);
 
 /* Reads one channel of a file whatever its compression; NULL: the only one. width*height pixels,
  * free() them. NULL after one line. */
