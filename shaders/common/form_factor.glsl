@@ -10,7 +10,6 @@
 #ifndef FORM_FACTOR_GLSL
 #define FORM_FACTOR_GLSL
 
-#extension GL_GOOGLE_include_directive : require
 #include "lights.glsl"
 
 // acos(x)/sqrt(1 - x^2) on [0, 1]: Chebyshev expansion, error 2.2e-7 in float.
