@@ -34,6 +34,10 @@ const char *gpu_status_string(gpu_status status);
 /* One line about the last call of this thread that did not return GPU_OK; "" before that. */
 const char *gpu_last_error(void);
 
+/* Stores that line and returns status: for rooms built on this one. */
+gpu_status gpu_fail(gpu_status status, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
 /* ---- Devices ------------------------------------------------------------------------------ */
 
 typedef struct gpu_device gpu_device;

@@ -51,10 +51,6 @@ struct gpu_compute {
     VkDescriptorSet set;
 };
 
-/* Stores the line for gpu_last_error and returns status. */
-gpu_status gpu_fail(gpu_status status, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
 /* The status of a Vulkan result that is not VK_SUCCESS, with its line: "what: reason". */
 gpu_status gpu_vk(VkResult result, const char *what);
 

@@ -6,12 +6,13 @@
 #include "gpu/pass.h"
 #include "render/scene.h"
 
-/* ---- Statistics --------------------------------------------------------------------------------- */
+/* ---- Statistics ---------------------------------------------------------------------------------
+ */
 
 enum { RENDER_MOST_TIMES = 64 };
 
 typedef struct render_statistics {
-    uint64_t pixels_covered;   /* with a surface and a light value that the pipeline made for them */
+    uint64_t pixels_covered; /* with a surface and a light value that the pipeline made for them */
     uint64_t pixels_uncovered; /* with a surface, but no light value */
     uint64_t pixels_wrong;     /* lit by a segment that they are not part of */
     uint64_t quads, vertices;
@@ -38,11 +39,12 @@ typedef struct render_comparison {
 void render_compare(size_t pixels, const float *light, const float *truth, float *errors,
                     render_comparison *result);
 
-/* ---- Frames --------------------------------------------------------------------------------------- */
+/* ---- Frames
+ * --------------------------------------------------------------------------------------- */
 
 typedef struct render_options {
     uint32_t width, height;
-    const char *method;   /* of the registry, for passes that integrate lobes; NULL: "standard" */
+    const char *method;    /* of the registry, for passes that integrate lobes; NULL: "standard" */
     bool detailed_normals; /* strong procedural detail on the shading normals */
     int runs;              /* of which times are the medians; 0 counts as 1 */
 } render_options;
@@ -53,16 +55,18 @@ typedef struct render_frame {
     render_options options;
     uint32_t width, height, light_count;
 
-    gpu_buffer *view;   /* struct View of shaders/common/frame.glsl */
-    gpu_buffer *lights; /* struct Light of shaders/common/lights.glsl */
+    gpu_buffer *view;     /* struct View of shaders/common/frame.glsl */
+    gpu_buffer *lights;   /* struct Light of shaders/common/lights.glsl */
     gpu_buffer *counters; /* uint32 pairs (low, high), see render_counter */
 
-    gpu_image *position; /* GPU_RGBA32F: world position; w: distance along the view axis, 0: no surface */
-    gpu_image *normal;   /* GPU_RG32U: octahedral, packSnorm2x16: x shading, y geometric normal */
-    gpu_image *albedo;   /* GPU_RGBA8 */
-    gpu_image *depth;    /* GPU_DEPTH32 */
-    gpu_image *light;    /* GPU_RGBA32F: irradiance, w: 1 lit, 0 no surface, -1 uncovered, -2 wrongly owned */
-    gpu_image *image;    /* GPU_RGBA32F: radiance, albedo/pi applied */
+    gpu_image
+        *position; /* GPU_RGBA32F: world position; w: distance along the view axis, 0: no surface */
+    gpu_image *normal; /* GPU_RG32U: octahedral, packSnorm2x16: x shading, y geometric normal */
+    gpu_image *albedo; /* GPU_RGBA8 */
+    gpu_image *depth;  /* GPU_DEPTH32 */
+    gpu_image *
+        light; /* GPU_RGBA32F: irradiance, w: 1 lit, 0 no surface, -1 uncovered, -2 wrongly owned */
+    gpu_image *image; /* GPU_RGBA32F: radiance, albedo/pi applied */
 } render_frame;
 
 /* Makes the images, draws the G-buffer and the reflective shadow map and turns its texels and the
@@ -71,7 +75,8 @@ gpu_status render_frame_create(gpu_device *device, const render_scene *scene,
                                const render_options *options, render_frame *frame);
 void render_frame_destroy(render_frame *frame);
 
-/* ---- Pipelines ------------------------------------------------------------------------------------- */
+/* ---- Pipelines
+ * ------------------------------------------------------------------------------------- */
 
 typedef struct render_pipeline {
     const char *id;    /* as after --pipeline */
@@ -85,7 +90,7 @@ typedef struct render_pipeline {
     void (*destroy)(void *state);
 } render_pipeline;
 
-extern const render_pipeline *const render_pipelines[]; /* ends with NULL */
+extern const render_pipeline *const render_pipelines[];      /* ends with NULL */
 const render_pipeline *render_pipeline_find(const char *id); /* NULL: unknown */
 
 /* Runs a list of steps frame->options.runs times and adds the median time of each to the
@@ -93,14 +98,15 @@ const render_pipeline *render_pipeline_find(const char *id); /* NULL: unknown */
 gpu_status render_run(render_frame *frame, const gpu_step *steps, int count,
                       render_statistics *statistics);
 
-/* ---- Shaders ---------------------------------------------------------------------------------------- */
+/* ---- Shaders
+ * ---------------------------------------------------------------------------------------- */
 
 /* A shader of shaders/ by its path below that folder ("hull/gather.comp"): SPIR-V embedded at
  * build time. NULL words where there is none of that name. */
 gpu_shader render_shader(const char *path);
 
-/* The same compiled now with SG_METHOD, by which integrating passes call the fitted form, set to
- * another method of the registry; source is the text with its includes spliced in. free() source. */
+/* The same as text with its includes spliced in, to be compiled when its pipeline is made, with
+ * SG_METHOD_A_h (see common/method.glsl) set to sg_A_h_METHOD; NULL: "standard". free() source. */
 gpu_status render_shader_method(const char *path, const char *method, gpu_shader *shader);
 
 #endif

@@ -33,11 +33,11 @@ typedef struct render_area_light {
 typedef struct render_scene {
     char *name; /* of the description's file, without folder and ending */
     size_t vertex_count, triangle_count, material_count;
-    float *positions;    /* 3 a vertex */
-    float *normals;      /* 3 a vertex, of length 1 */
-    uint32_t *indices;   /* 3 a triangle, below vertex_count */
-    uint32_t *materials; /* 1 a triangle, below material_count */
-    float *albedos;      /* 3 a material, each in [0, 1] */
+    float *positions;       /* 3 a vertex */
+    float *normals;         /* 3 a vertex, of length 1 */
+    uint32_t *indices;      /* 3 a triangle, below vertex_count */
+    uint32_t *materials;    /* 1 a triangle, below material_count */
+    float *albedos;         /* 3 a material, each in [0, 1] */
     double low[3], high[3]; /* bounds; 0 where there is no vertex */
     render_camera camera;
     bool has_spot;
@@ -49,8 +49,8 @@ typedef struct render_scene {
 
 /* Reads a description (JSON, see README). Meshes are read by a child process with a time limit, so
  * that a damaged file cannot take this process with it. scene_dir: searched for meshes that are
- * not beside the description; NULL: the environment's SGFIT_SCENES, or nowhere. False after one line that
- * names the file and what was expected; scene is then empty. */
+ * not beside the description; NULL: the environment's SGFIT_SCENES, or nowhere. False after one
+ * line that names the file and what was expected; scene is then empty. */
 bool render_scene_read(const char *path, const char *scene_dir, render_scene *scene);
 void render_scene_free(render_scene *scene);
 
