@@ -89,7 +89,7 @@ bool profile_write(const fit_profile_request *request, const choose_domain *doma
                    const profile_counter *counter, const profile_candidate *chosen,
                    const profile_candidate *general);
 
-/* report_profile.c: one comparison at equal error. */
+/* profile_savings.c: one comparison at equal error. */
 typedef struct profile_saving {
     const char *profile; /* "broad area light" */
     size_t points;

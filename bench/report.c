@@ -18,6 +18,7 @@ static const report_section sections[] = {
     {"headline", "Headline figures", report_headline, NULL},
     {"accuracy", "Accuracy", report_accuracy, NULL},
     {"cost", "Speed against accuracy", report_cost, NULL},
+    {"profiles", "No more than a scene needs", report_profile, report_has_profile},
     {"float", "What float breaks", report_float, NULL},
     {"stability", "Where methods fail", report_stability, report_has_stability},
     {"curves", "The curves c and s", report_curves, NULL},

@@ -41,6 +41,8 @@ bool report_formulas(report *report);   /* report_formulas.c */
 bool report_machine(report *report);    /* report_machine.c */
 bool report_stability(report *report);  /* report_stability.c */
 bool report_has_stability(const report *report);
+bool report_profile(report *report); /* report_profile.c */
+bool report_has_profile(const report *report);
 bool report_tried(report *report); /* report_tried.c */
 bool report_has_tried(const report *report);
 

@@ -1,79 +1,79 @@
-/* report_profile.c: what a fit to a scene's lights saves against the tier that serves any scene. */
-#include "profile_fit.h"
-
-#include <math.h>
-#include <stdio.h>
+/* report_profile.c: the section "No more than a scene needs". */
 #include <stdlib.h>
 
-#include "base/file.h"
+#include "base/text.h"
+#include "html.h"
+#include "profile_fit.h"
+#include "report.h"
 
-static const struct {
-    const char *file, *title;
-} profiles[] = {
-    {"broad.csv", "broad area light"}, {"sharp.csv", "many sharp lights"}, {"sky.csv", "the sky"}};
-enum { PROFILES = sizeof profiles / sizeof *profiles };
+bool report_has_profile(const report *report)
+{
+    return report->bench != NULL;
+}
 
-typedef struct rows {
-    profile_saving *list;
+static int terms_left(const profile_candidate *candidate)
+{
+    int left = 0;
+    for (int i = 0; i < candidate->tier->form->coefficient_count; i++)
+        left += !candidate->dropped[i];
+    return left;
+}
+
+static void write_row(page *page, FILE *csv, const profile_saving *saving)
+{
+    const profile_candidate *fitted = &saving->fitted;
+    double before = saving->general.instructions, after = fitted->instructions;
+    const double numbers[] = {saving->lambda_min,
+                              saving->lambda_max,
+                              saving->bar,
+                              saving->general.instructions,
+                              fitted->instructions,
+                              fitted->rmse,
+                              100.0 * (before - after) / before};
+    html_row_begin(page, NULL);
+    html_cell(page, saving->profile);
+    html_cell_code(page, saving->general.tier->id);
+    html_cell_code(page, fitted->tier->id);
+    html_cell_number(page, terms_left(fitted), 3);
+    fprintf(csv, "%s,%s,%s,%d", saving->profile, saving->general.tier->id, fitted->tier->id,
+            terms_left(fitted));
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        char text[BASE_NUMBER_SIZE];
+        html_cell_number(page, numbers[i], 3);
+        fprintf(csv, ",%s", base_shortest_f64(numbers[i], text));
+    }
+    fputc('\n', csv);
+    html_row_end(page);
+}
+
+bool report_profile(report *report)
+{
+    static const char *const columns[] = {"profile", "tier",  "fitted form", "#terms",
+                                          "#λ from", "#to",   "#RMSE",       "#instructions",
+                                          "#fitted", "#RMSE", "#saved %",    NULL};
     size_t count;
-} rows;
-
-/* One row a tier: at that tier's own RMSE the cheapest tier, and the cheapest fit. */
-static void compare(const choose_domain *domain, const profile_list *tiers,
-                    const profile_list *ladder, const char *title, rows *to)
-{
-    for (size_t i = 0; i < tiers->count; i++) {
-        double bar = tiers->list[i].rmse;
-        const profile_candidate *general = profile_choose(tiers, false, (double)INFINITY, bar);
-        const profile_candidate *fitted = profile_choose(ladder, false, (double)INFINITY, bar);
-        if (general != &tiers->list[i] || !fitted)
-            continue; /* another tier is both cheaper and better there */
-        to->list = base_reallocate(to->list, (to->count + 1) * sizeof *to->list);
-        to->list[to->count++] = (profile_saving){.profile = title,
-                                                 .points = domain->count,
-                                                 .lambda_min = domain->lambda_min,
-                                                 .lambda_max = domain->lambda_max,
-                                                 .bar = bar,
-                                                 .general = *general,
-                                                 .fitted = *fitted};
-    }
-}
-
-static bool add_profile(profile_counter *counter, size_t index, rows *to)
-{
-    char *folder = base_join(base_source_root(), "tests/profiles");
-    char *path = base_join(folder, profiles[index].file);
-    choose_domain domain = {0};
-    profile_list tiers = {0}, ladder = {0};
-    double worst = 0.0;
-    bool good = choose_profile(&domain, path) && profile_tiers(&domain, &tiers);
-    for (size_t i = 0; good && i < tiers.count; i++)
-        worst = fmax(worst, tiers.list[i].rmse);
-    good = good && profile_count(counter, &tiers) &&
-           profile_ladders(&domain, false, worst, &ladder) && profile_count(counter, &ladder);
-    if (good)
-        compare(&domain, &tiers, &ladder, profiles[index].title, to);
-    free(tiers.list);
-    free(ladder.list);
-    choose_domain_free(&domain);
-    free(path);
-    free(folder);
-    return good;
-}
-
-profile_saving *profile_savings(size_t *count, const char **unit)
-{
-    profile_counter counter;
-    rows made = {0};
-    bool good = profile_counter_open(&counter);
-    *unit = profile_counter_name(&counter);
-    for (size_t i = 0; good && i < PROFILES; i++)
-        good = add_profile(&counter, i, &made);
-    profile_counter_close(&counter);
-    *count = good ? made.count : 0;
-    if (!good) {
-        free(made.list);
-        made.list = NULL;
-    }
-    return made.list;
+    const char *unit;
+    profile_saving *savings = profile_savings(&count, &unit);
+    if (!savings)
+        return false;
+    page *page = report->page;
+    html_paragraph(
+        page,
+        "A tier serves any lobe at any angle; one scene has lobes of its own. `sgfit fit "
+        "--profile FILE` fits the same forms to (lambda, cos_theta, weight) as a scene "
+        "produces them, dropping every term that its error does not need. At the error "
+        "that a tier has on a profile, what is saved (%s):",
+        unit);
+    FILE *csv = page_file_begin(page, "data/profiles.csv");
+    fputs("profile,tier,form,terms,lambda_from,lambda_to,rmse,instructions,fitted_instructions,"
+          "fitted_rmse,saved_percent\n",
+          csv);
+    html_table_begin(page, "Instructions for one L, at equal RMSE or less over the profile.",
+                     columns);
+    for (size_t i = 0; i < count; i++)
+        write_row(page, csv, &savings[i]);
+    page_file_end(page);
+    html_table_end(page, "data/profiles.csv");
+    free(savings);
+    return true;
 }
