@@ -6,8 +6,7 @@
 #include "gpu/pass.h"
 #include "render/scene.h"
 
-/* ---- Statistics ---------------------------------------------------------------------------------
- */
+/* ---- Statistics ---------------------------------------------------------------------- */
 
 enum { RENDER_MOST_TIMES = 64 };
 
@@ -39,8 +38,7 @@ typedef struct render_comparison {
 void render_compare(size_t pixels, const float *light, const float *truth, float *errors,
                     render_comparison *result);
 
-/* ---- Frames
- * --------------------------------------------------------------------------------------- */
+/* ---- Frames -------------------------------------------------------------------------- */
 
 typedef struct render_options {
     uint32_t width, height;
@@ -57,26 +55,40 @@ typedef struct render_frame {
 
     gpu_buffer *view;     /* struct View of shaders/common/frame.glsl */
     gpu_buffer *lights;   /* struct Light of shaders/common/lights.glsl */
-    gpu_buffer *counters; /* uint32 pairs (low, high), see render_counter */
+    gpu_buffer *counters; /* uint32 pairs (low, high), see shaders/common/counters.glsl */
 
-    gpu_image
-        *position; /* GPU_RGBA32F: world position; w: distance along the view axis, 0: no surface */
-    gpu_image *normal; /* GPU_RG32U: octahedral, packSnorm2x16: x shading, y geometric normal */
+    /* GPU_RGBA32F: world position; w: distance along the view axis, 0: no surface */
+    gpu_image *position;
+    /* GPU_RG32U: octahedral, packSnorm2x16: x shading, y geometric normal */
+    gpu_image *normal;
     gpu_image *albedo; /* GPU_RGBA8 */
     gpu_image *depth;  /* GPU_DEPTH32 */
-    gpu_image *
-        light; /* GPU_RGBA32F: irradiance, w: 1 lit, 0 no surface, -1 uncovered, -2 wrongly owned */
-    gpu_image *image; /* GPU_RGBA32F: radiance, albedo/pi applied */
+    /* GPU_RGBA32F: irradiance; w: 1 lit, 0 no surface, -1 uncovered, -2 wrongly owned. Cleared to
+     * 0 before a pipeline runs: what it leaves at 0 on a surface is found to be uncovered. */
+    gpu_image *light;
+    gpu_image *image; /* GPU_RGBA32F: radiance, albedo/pi applied; w: 1, or 0 without a surface */
+
+    /* times of the passes "gbuffer" and "rsm", triangles, lights, ground_truth_evaluations */
+    render_statistics made;
+    double gain; /* exposure of pictures of this scene and view, see render_tone */
+    gpu_compute *resolve;
 } render_frame;
 
 /* Makes the images, draws the G-buffer and the reflective shadow map and turns its texels and the
- * area lights into triangles. */
+ * area lights into triangles: first a triangle for each texel with a surface, in rows from the
+ * map's top left corner, in the plane of the surface and of the area that the texel sees there;
+ * then the area lights as fans. The map covers the square around the spotlight's cone. */
 gpu_status render_frame_create(gpu_device *device, const render_scene *scene,
                                const render_options *options, render_frame *frame);
 void render_frame_destroy(render_frame *frame);
 
-/* ---- Pipelines
- * ------------------------------------------------------------------------------------- */
+/* Radiance to the [0, 1] of a picture before its encoding as sRGB: x = gain * radiance, by channel
+ * x (1 + x/16)/(1 + x), so that 4 is white (Reinhard's curve). gain puts the log-average luminance
+ * of a coarse grid of pixels at 0.18, lit by a rough estimate from all lights on the host: it
+ * depends on the scene and the view, not on the pipeline, and little on the size. */
+float render_tone(double gain, float radiance);
+
+/* ---- Pipelines ----------------------------------------------------------------------- */
 
 typedef struct render_pipeline {
     const char *id;    /* as after --pipeline */
@@ -93,13 +105,25 @@ typedef struct render_pipeline {
 extern const render_pipeline *const render_pipelines[];      /* ends with NULL */
 const render_pipeline *render_pipeline_find(const char *id); /* NULL: unknown */
 
-/* Runs a list of steps frame->options.runs times and adds the median time of each to the
- * statistics under its name. prefix_runs steps... are run each time: a list must be repeatable. */
+/* Runs a list of steps frame->options.runs times and adds the median time of each name to the
+ * statistics (steps of the same name count together), and what the shaders counted in one run. The
+ * list must be repeatable; the counters are set to 0 before each run. */
 gpu_status render_run(render_frame *frame, const gpu_step *steps, int count,
                       render_statistics *statistics);
 
-/* ---- Shaders
- * ---------------------------------------------------------------------------------------- */
+/* All of it for one pipeline: creates it, clears frame->light, runs it, resolves into frame->image
+ * and destroys it. The statistics start as frame->made. dump: folder for the images of the stages;
+ * NULL: none; *dumped tells (where not NULL) if that worked. */
+gpu_status render_frame_light(render_frame *frame, const render_pipeline *pipeline,
+                              const char *dump, bool *dumped, render_statistics *statistics);
+
+/* A compute pipeline from shaders/: its words, or where method is true the text with the frame's
+ * method. */
+gpu_status render_compute(render_frame *frame, const char *path, bool method,
+                          const gpu_binding *bindings, int binding_count, uint32_t push_size,
+                          gpu_compute **compute);
+
+/* ---- Shaders ------------------------------------------------------------------------- */
 
 /* A shader of shaders/ by its path below that folder ("hull/gather.comp"): SPIR-V embedded at
  * build time. NULL words where there is none of that name. */
