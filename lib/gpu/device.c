@@ -70,6 +70,7 @@ static gpu_status choose_device(gpu_device *device, const gpu_device_options *op
         snprintf(info->version, sizeof info->version, "%s", driver.driverInfo);
         snprintf(info->api, sizeof info->api, "%u.%u.%u", VK_API_VERSION_MAJOR(api),
                  VK_API_VERSION_MINOR(api), VK_API_VERSION_PATCH(api));
+        device->limits = properties.properties.limits;
         info->software = properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
         info->compile_only = options->compile_for != NULL;
         info->timestamp_nanosecond = (double)properties.properties.limits.timestampPeriod;
@@ -80,87 +81,13 @@ static gpu_status choose_device(gpu_device *device, const gpu_device_options *op
                     options->device ? options->device : "");
 }
 
-static bool has_extension(VkPhysicalDevice physical, const char *name)
-{
-    uint32_t count = 0;
-    if (vkEnumerateDeviceExtensionProperties(physical, NULL, &count, NULL) != VK_SUCCESS)
-        return false;
-    VkExtensionProperties *extensions = calloc(count ? count : 1, sizeof *extensions);
-    bool found = false;
-    if (extensions &&
-        vkEnumerateDeviceExtensionProperties(physical, NULL, &count, extensions) >= VK_SUCCESS)
-        for (uint32_t i = 0; i < count && !found; i++)
-            found = strcmp(extensions[i].extensionName, name) == 0;
-    free(extensions);
-    return found;
-}
-
-static gpu_status find_queue(gpu_device *device)
-{
-    VkQueueFamilyProperties families[32];
-    uint32_t count = 32;
-    vkGetPhysicalDeviceQueueFamilyProperties(device->physical, &count, families);
-    for (uint32_t i = 0; i < count; i++)
-        if (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT) {
-            device->queue_family = i;
-            device->info.timestamps = families[i].timestampValidBits == 64;
-            return GPU_OK;
-        }
-    return gpu_fail(GPU_UNSUPPORTED, "%s has no compute queue", device->info.name);
-}
-
-static gpu_status create_device(gpu_device *device)
-{
-    gpu_status status = find_queue(device);
-    if (status != GPU_OK)
-        return status;
-    const char *statistics = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
-    device->info.statistics = has_extension(device->physical, statistics);
-    VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR executable = {
-        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR,
-        .pipelineExecutableInfo = VK_TRUE};
-    float priority = 1;
-    VkDeviceQueueCreateInfo queue = {.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                     .queueFamilyIndex = device->queue_family,
-                                     .queueCount = 1,
-                                     .pQueuePriorities = &priority};
-    VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-                               .pNext = device->info.statistics ? &executable : NULL,
-                               .queueCreateInfoCount = 1,
-                               .pQueueCreateInfos = &queue,
-                               .enabledExtensionCount = device->info.statistics ? 1 : 0,
-                               .ppEnabledExtensionNames = &statistics};
-    VkResult result = vkCreateDevice(device->physical, &info, NULL, &device->device);
-    if (result != VK_SUCCESS)
-        return gpu_vk(result, device->info.name);
-    if (device->info.statistics)
-        device->get_statistics = (PFN_vkGetPipelineExecutableStatisticsKHR)(void (*)(
-            void))vkGetDeviceProcAddr(device->device, "vkGetPipelineExecutableStatisticsKHR");
-    if (device->info.compile_only)
-        return GPU_OK;
-    vkGetPhysicalDeviceMemoryProperties(device->physical, &device->memory);
-    vkGetDeviceQueue(device->device, device->queue_family, 0, &device->queue);
-    VkCommandPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                    .queueFamilyIndex = device->queue_family};
-    VkFenceCreateInfo fence = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    VkQueryPoolCreateInfo queries = {.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
-                                     .queryType = VK_QUERY_TYPE_TIMESTAMP,
-                                     .queryCount = 2};
-    result = vkCreateCommandPool(device->device, &pool, NULL, &device->commands);
-    if (result == VK_SUCCESS)
-        result = vkCreateFence(device->device, &fence, NULL, &device->fence);
-    if (result == VK_SUCCESS && device->info.timestamps)
-        result = vkCreateQueryPool(device->device, &queries, NULL, &device->queries);
-    return result == VK_SUCCESS ? GPU_OK : gpu_vk(result, device->info.name);
-}
-
 static gpu_status open_device(gpu_device *device, const gpu_device_options *options)
 {
     gpu_status status = gpu_create_instance(device, options->validation);
     if (status == GPU_OK)
         status = choose_device(device, options);
     if (status == GPU_OK)
-        status = create_device(device);
+        status = gpu_create_device(device);
     return status;
 }
 
@@ -233,6 +160,7 @@ void gpu_device_close(gpu_device *device)
     if (!device)
         return;
     if (device->device) {
+        vkDestroySampler(device->device, device->nearest, NULL);
         vkDestroyQueryPool(device->device, device->queries, NULL);
         vkDestroyFence(device->device, device->fence, NULL);
         vkDestroyCommandPool(device->device, device->commands, NULL);

@@ -83,7 +83,8 @@ const char *gpu_messages(const gpu_device *device);
 
 /* ---- Buffers and textures ------------------------------------------------------------------ */
 
-/* Visible to the host all the time: read and write through gpu_buffer_map between dispatches. */
+/* Visible to the host all the time: read and write through gpu_buffer_map between dispatches. Any
+ * buffer may hold storage, indices and the arguments of indirect steps. Size 0 counts as 4. */
 typedef struct gpu_buffer gpu_buffer;
 
 gpu_status gpu_buffer_create(gpu_device *device, size_t size, gpu_buffer **buffer);
@@ -109,17 +110,22 @@ void gpu_texture_destroy(gpu_texture *texture); /* NULL is fine */
 
 typedef enum gpu_binding {
     GPU_STORAGE_BUFFER, /* a gpu_buffer */
-    GPU_SAMPLED         /* a gpu_texture: combined image and sampler */
+    GPU_SAMPLED,        /* a gpu_texture: combined image and sampler */
+    GPU_STORAGE_IMAGE,  /* a gpu_image of pass.h, for imageLoad and imageStore; the shader names its
+                           format */
+    GPU_FETCHED         /* a gpu_image of pass.h: combined image and sampler, for texelFetch */
 } gpu_binding;
 
-enum { GPU_MAX_BINDINGS = 8, GPU_MAX_PUSH = 128 };
+enum { GPU_MAX_BINDINGS = 16, GPU_MAX_PUSH = 128 };
 
 typedef struct gpu_compute gpu_compute;
 
 typedef struct gpu_compute_options {
-    const char *name;   /* stands for the file name in error lines */
-    const char *source; /* GLSL with its #version line, entry point main */
-    int binding_count;  /* set 0, bindings 0 to binding_count - 1 */
+    const char *name;      /* stands for the file name in error lines */
+    const char *source;    /* GLSL with its #version line, entry point main */
+    const uint32_t *words; /* or SPIR-V with the entry point main, where not NULL */
+    size_t word_count;
+    int binding_count; /* set 0, bindings 0 to binding_count - 1 */
     gpu_binding bindings[GPU_MAX_BINDINGS];
     uint32_t push_size; /* bytes of push constants, a multiple of 4 */
     bool statistics;    /* keep them for gpu_compute_statistics */
@@ -133,11 +139,12 @@ void gpu_compute_destroy(gpu_compute *compute); /* NULL is fine */
 
 typedef struct gpu_dispatch {
     gpu_compute *compute;
-    void *resources[GPU_MAX_BINDINGS]; /* gpu_buffer or gpu_texture, as the bindings say */
-    uint32_t groups[3];                /* 0 counts as 1 */
-    const void *push;                  /* push_size bytes */
-    int repeat;      /* the same dispatch several times in one go; 0 counts as 1 */
-    double *seconds; /* where not NULL: time of all repeats together */
+    void *
+        resources[GPU_MAX_BINDINGS]; /* gpu_buffer, gpu_texture or gpu_image, as the bindings say */
+    uint32_t groups[3];              /* 0 counts as 1 */
+    const void *push;                /* push_size bytes */
+    int repeat;                      /* the same dispatch several times in one go; 0 counts as 1 */
+    double *seconds;                 /* where not NULL: time of all repeats together */
 } gpu_dispatch;
 
 /* Runs and waits. What the host wrote is visible to the shader and the other way round. */
@@ -158,7 +165,11 @@ typedef struct gpu_statistics {
 /* As the driver reports them; a figure that it does not report is NaN. */
 gpu_status gpu_compute_statistics(const gpu_compute *compute, gpu_statistics *statistics);
 
-/* SPIR-V words of a compute shader, free() them. */
+typedef enum gpu_stage { GPU_COMPUTE_STAGE, GPU_VERTEX_STAGE, GPU_FRAGMENT_STAGE } gpu_stage;
+
+/* SPIR-V words of a shader, free() them; gpu_compile: of a compute shader. */
+gpu_status gpu_compile_stage(gpu_stage stage, const char *name, const char *source,
+                             uint32_t **words, size_t *word_count);
 gpu_status gpu_compile(const char *name, const char *source, uint32_t **words, size_t *word_count);
 
 /* ---- What a function costs ----------------------------------------------------------------------

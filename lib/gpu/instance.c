@@ -37,7 +37,7 @@ gpu_status gpu_create_instance(gpu_device *device, bool validation)
     VkApplicationInfo application = {
         .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
         .pApplicationName = "sgfit",
-        .apiVersion = VK_API_VERSION_1_2,
+        .apiVersion = VK_API_VERSION_1_3,
     };
     const char *layers[] = {"VK_LAYER_KHRONOS_validation"};
     const char *extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME};

@@ -3,6 +3,7 @@
 #define GPU_INTERNAL_H
 
 #include "gpu.h"
+#include "pass.h"
 
 #include <vulkan/vulkan.h>
 
@@ -17,6 +18,10 @@ struct gpu_device {
     VkCommandPool commands;
     VkFence fence;
     VkQueryPool queries;
+    uint32_t query_count; /* in the pool */
+    VkSampler nearest;    /* of GPU_FETCHED; made with the first image */
+    VkPhysicalDeviceLimits limits;
+    bool draws; /* has a graphics queue and dynamic rendering */
     PFN_vkGetPipelineExecutableStatisticsKHR get_statistics;
     gpu_device_info info;
     int message_count;
@@ -39,16 +44,40 @@ struct gpu_texture {
     VkSampler sampler;
 };
 
-struct gpu_compute {
+struct gpu_image {
     gpu_device *owner;
+    gpu_format format;
+    uint32_t width, height;
+    VkImage image;
+    VkDeviceMemory memory;
+    VkImageView view;
+};
+
+/* What a pipeline is bound to: set 0 and push constants. */
+typedef struct gpu_layout {
     int binding_count;
     gpu_binding bindings[GPU_MAX_BINDINGS];
     uint32_t push_size;
-    VkDescriptorSetLayout set_layout;
-    VkPipelineLayout layout;
+    VkShaderStageFlags stages;
+    VkDescriptorSetLayout set;
+    VkPipelineLayout pipeline;
+} gpu_layout;
+
+struct gpu_compute {
+    gpu_device *owner;
+    gpu_layout layout;
     VkPipeline pipeline;
     VkDescriptorPool pool;
     VkDescriptorSet set;
+};
+
+struct gpu_draw {
+    gpu_device *owner;
+    gpu_layout layout;
+    VkPipeline pipeline;
+    int target_count;
+    gpu_format targets[GPU_MAX_TARGETS];
+    bool depth;
 };
 
 /* The status of a Vulkan result that is not VK_SUCCESS, with its line: "what: reason". */
@@ -63,6 +92,34 @@ gpu_status gpu_enumerate(VkInstance instance, VkPhysicalDevice devices[GPU_MAX_D
                          uint32_t *count);
 void gpu_describe(VkPhysicalDevice physical, VkPhysicalDeviceProperties2 *properties,
                   VkPhysicalDeviceDriverProperties *driver);
+
+/* logical.c: the device proper, its queue, and what is made once for it. */
+gpu_status gpu_create_device(gpu_device *device);
+
+/* layout.c */
+VkResult gpu_layout_create(gpu_device *device, gpu_layout *layout);
+void gpu_layout_destroy(gpu_device *device, gpu_layout *layout);
+/* A pool for one set of each layout that is given; none, and NULL, where count is 0. */
+VkResult gpu_layout_pool(gpu_device *device, const gpu_layout *const *layouts, size_t count,
+                         VkDescriptorPool *pool);
+gpu_status gpu_layout_write(gpu_device *device, const gpu_layout *layout, const char *name,
+                            void *const *resources, VkDescriptorSet set);
+
+/* shader.c: a module of SPIR-V words or, where these are NULL, of GLSL. */
+gpu_status gpu_module_create(gpu_device *device, gpu_stage stage, const char *name,
+                             const gpu_shader *shader, VkShaderModule *module);
+
+/* record.c: the layout of a step's pipeline, NULL where it has none; a barrier of all before
+ * against all after; one checked step. */
+const gpu_layout *gpu_step_layout(const gpu_step *step);
+void gpu_record_barrier(VkCommandBuffer commands);
+void gpu_record_step(VkCommandBuffer commands, const gpu_step *step, VkDescriptorSet set);
+
+/* image.c */
+VkFormat gpu_format_vk(gpu_format format);
+
+/* memory.c: a pool of at least that many timestamps in device->queries. */
+VkResult gpu_need_queries(gpu_device *device, uint32_t count);
 
 /* Index of a memory type with all those properties among the allowed ones, or -1. */
 int gpu_memory_type(const gpu_device *device, uint32_t allowed, VkMemoryPropertyFlags properties);

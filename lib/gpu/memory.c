@@ -47,6 +47,22 @@ gpu_status gpu_submit(gpu_device *device, VkCommandBuffer commands)
     return result == VK_SUCCESS ? GPU_OK : gpu_vk(result, "running commands");
 }
 
+VkResult gpu_need_queries(gpu_device *device, uint32_t count)
+{
+    if (device->query_count >= count)
+        return VK_SUCCESS;
+    vkDestroyQueryPool(device->device, device->queries, NULL);
+    device->queries = VK_NULL_HANDLE;
+    device->query_count = 0;
+    VkQueryPoolCreateInfo info = {.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                  .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                  .queryCount = count};
+    VkResult result = vkCreateQueryPool(device->device, &info, NULL, &device->queries);
+    if (result == VK_SUCCESS)
+        device->query_count = count;
+    return result;
+}
+
 gpu_status gpu_buffer_create(gpu_device *device, size_t size, gpu_buffer **out)
 {
     *out = NULL;
@@ -55,13 +71,15 @@ gpu_status gpu_buffer_create(gpu_device *device, size_t size, gpu_buffer **out)
     gpu_buffer *buffer = calloc(1, sizeof *buffer);
     if (!buffer)
         return gpu_fail(GPU_OUT_OF_MEMORY, "a buffer of %zu bytes: out of host memory", size);
+    size = size ? size : 4;
     buffer->owner = device;
     buffer->size = size;
-    VkBufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-                               .size = size,
-                               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                        VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-                                        VK_BUFFER_USAGE_TRANSFER_DST_BIT};
+    VkBufferCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+        .size = size,
+        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
+                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                 VK_BUFFER_USAGE_TRANSFER_DST_BIT};
     VkResult result = vkCreateBuffer(device->device, &info, NULL, &buffer->buffer);
     if (result == VK_SUCCESS) {
         VkMemoryRequirements needs;

@@ -12,7 +12,8 @@
 extern "C" {
 #endif
 
-/* ---- Images ----------------------------------------------------------------------------------- */
+/* ---- Images -----------------------------------------------------------------------------------
+ */
 
 typedef enum gpu_format {
     GPU_RGBA8, /* unsigned, normalised: values are 0 to 1 */
@@ -41,7 +42,8 @@ size_t gpu_image_texel(const gpu_image *image); /* bytes */
 gpu_status gpu_image_read(gpu_image *image, void *texels);
 gpu_status gpu_image_write(gpu_image *image, const void *texels);
 
-/* ---- Drawing ---------------------------------------------------------------------------------- */
+/* ---- Drawing ----------------------------------------------------------------------------------
+ */
 
 enum { GPU_MAX_TARGETS = 4 };
 
@@ -62,7 +64,8 @@ typedef struct gpu_draw_options {
     uint32_t push_size; /* seen by both stages */
     int target_count;
     gpu_format targets[GPU_MAX_TARGETS];
-    bool depth; /* a GPU_DEPTH32 target, tested and written: nearer (less) wins, first one at equality */
+    bool depth; /* a GPU_DEPTH32 target, tested and written: nearer (less) wins, first one at
+                   equality */
     bool lines; /* a list of lines; else of triangles, both sides drawn */
 } gpu_draw_options;
 
@@ -71,14 +74,15 @@ typedef struct gpu_draw_options {
 gpu_status gpu_draw_create(gpu_device *device, const gpu_draw_options *options, gpu_draw **draw);
 void gpu_draw_destroy(gpu_draw *draw); /* NULL is fine */
 
-/* ---- Lists of steps --------------------------------------------------------------------------- */
+/* ---- Lists of steps ---------------------------------------------------------------------------
+ */
 
 /* Exactly one of compute, draw, clear and fill is given. */
 typedef struct gpu_step {
     const char *name;
     gpu_compute *compute;
     gpu_draw *draw;
-    gpu_image *clear; /* every texel becomes clear_value (float formats) or clear_bits */
+    gpu_image *clear; /* every texel becomes clear_value (floats, depth) or clear_bits */
     gpu_buffer *fill; /* every 32-bit word becomes clear_bits[0] */
 
     /* gpu_buffer, gpu_texture or gpu_image, as the pipeline's bindings say */

@@ -47,6 +47,9 @@ gpu_status gpu_vk(VkResult result, const char *what)
         return gpu_fail(GPU_OUT_OF_MEMORY, "%s: out of host memory", what);
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:
         return gpu_fail(GPU_OUT_OF_MEMORY, "%s: out of device memory", what);
+    case VK_ERROR_OUT_OF_POOL_MEMORY:
+    case VK_ERROR_FRAGMENTED_POOL:
+        return gpu_fail(GPU_OUT_OF_MEMORY, "%s: out of descriptor memory", what);
     case VK_ERROR_DEVICE_LOST:
         return gpu_fail(GPU_DEVICE_LOST, "%s: the device was lost", what);
     case VK_ERROR_INCOMPATIBLE_DRIVER:
