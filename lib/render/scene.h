@@ -33,12 +33,13 @@ typedef struct render_area_light {
 typedef struct render_scene {
     char *name; /* of the description's file, without folder and ending */
     size_t vertex_count, triangle_count, material_count;
-    float *positions;       /* 3 a vertex */
-    float *normals;         /* 3 a vertex, of length 1 */
-    uint32_t *indices;      /* 3 a triangle, below vertex_count */
-    uint32_t *materials;    /* 1 a triangle, below material_count */
-    float *albedos;         /* 3 a material, each in [0, 1] */
-    double low[3], high[3]; /* bounds; 0 where there is no vertex */
+    size_t dropped_triangles; /* left out: without area, or with a corner that is not finite */
+    float *positions;         /* 3 a vertex */
+    float *normals;           /* 3 a vertex, of length 1 */
+    uint32_t *indices;        /* 3 a triangle, below vertex_count */
+    uint32_t *materials;      /* 1 a triangle, below material_count */
+    float *albedos;           /* 3 a material, each in [0, 1] */
+    double low[3], high[3];   /* bounds; 0 where there is no vertex */
     render_camera camera;
     bool has_spot;
     render_spot spot;

@@ -1,0 +1,106 @@
+/* mesh_albedo.c: runs in the child process: one colour a material. */
+#include "mesh_child.h"
+
+#include <assimp/material.h>
+#include <math.h>
+#include <png.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/buffer.h"
+
+enum { LARGEST_SIDE = 1 << 14 };
+
+/* Mean colour, linear and weighted by alpha. */
+static bool mean_of_png(png_image *image, double mean[3])
+{
+    bool good = image->width <= LARGEST_SIDE && image->height <= LARGEST_SIDE;
+    uint16_t *pixels = NULL;
+    if (good) {
+        image->format = PNG_FORMAT_LINEAR_RGB_ALPHA; /* libpng multiplies colours by alpha then */
+        pixels = base_allocate(PNG_IMAGE_SIZE(*image));
+        good = png_image_finish_read(image, NULL, pixels, 0, NULL) != 0;
+    }
+    double sum[4] = {0};
+    size_t count = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; good && i < 4 * count; i++)
+        sum[i % 4] += (double)pixels[i];
+    for (int c = 0; c < 3; c++)
+        mean[c] = sum[3] > 0 ? sum[c] / sum[3] : 0;
+    free(pixels);
+    png_image_free(image);
+    return good && sum[3] > 0;
+}
+
+static double linear_of(uint8_t encoded)
+{
+    double x = encoded / 255.0;
+    return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
+}
+
+static bool mean_of_texels(const struct aiTexture *texture, double mean[3])
+{
+    double sum[4] = {0};
+    size_t count = (size_t)texture->mWidth * (size_t)texture->mHeight;
+    for (size_t i = 0; i < count; i++) {
+        const struct aiTexel *texel = &texture->pcData[i];
+        sum[0] += texel->a * linear_of(texel->r);
+        sum[1] += texel->a * linear_of(texel->g);
+        sum[2] += texel->a * linear_of(texel->b);
+        sum[3] += texel->a;
+    }
+    for (int c = 0; c < 3; c++)
+        mean[c] = sum[3] > 0 ? sum[c] / sum[3] : 0;
+    return sum[3] > 0;
+}
+
+static bool mean_of_texture(const struct aiScene *from, const char *name, const char *folder,
+                            double mean[3])
+{
+    png_image image = {.version = PNG_IMAGE_VERSION};
+    if (name[0] == '*') { /* inside the file */
+        unsigned long index = strtoul(name + 1, NULL, 10);
+        if (index >= from->mNumTextures)
+            return false;
+        const struct aiTexture *texture = from->mTextures[index];
+        if (texture->mHeight > 0)
+            return mean_of_texels(texture, mean);
+        return png_image_begin_read_from_memory(&image, texture->pcData, texture->mWidth) &&
+               mean_of_png(&image, mean);
+    }
+    buffer path = {0};
+    if (name[0] != '/')
+        buffer_add(&path, folder);
+    buffer_add(&path, name);
+    for (char *p = path.text; *p; p++)
+        if (*p == '\\') /* as some exporters write folders */
+            *p = '/';
+    bool good = png_image_begin_read_from_file(&image, path.text) != 0 && mean_of_png(&image, mean);
+    buffer_free(&path);
+    return good;
+}
+
+void mesh_albedo(const struct aiScene *from, const struct aiMaterial *material, const char *folder,
+                 float albedo[3])
+{
+    struct aiColor4D colour = {0.6F, 0.6F, 0.6F, 1};
+    struct aiString name;
+    double mean[3] = {1, 1, 1};
+    bool made_up = aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS &&
+                   strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) == 0;
+    if (!made_up && aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &colour) != aiReturn_SUCCESS)
+        aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &colour);
+    for (int kind = 0; kind < 2; kind++) {
+        enum aiTextureType type = kind == 0 ? aiTextureType_BASE_COLOR : aiTextureType_DIFFUSE;
+        if (aiGetMaterialTexture(material, type, 0, &name, NULL, NULL, NULL, NULL, NULL, NULL) ==
+            aiReturn_SUCCESS) {
+            if (!mean_of_texture(from, name.data, folder, mean))
+                mean[0] = mean[1] = mean[2] = 1;
+            break;
+        }
+    }
+    albedo[0] = colour.r * (float)mean[0];
+    albedo[1] = colour.g * (float)mean[1];
+    albedo[2] = colour.b * (float)mean[2];
+}

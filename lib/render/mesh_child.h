@@ -1,0 +1,23 @@
+/* mesh_child.h: what the child process does, and what it writes into its pipe. */
+#ifndef RENDER_MESH_CHILD_H
+#define RENDER_MESH_CHILD_H
+
+#include <assimp/scene.h>
+#include <stdint.h>
+
+/* First comes a head; where it says failed, a line of text without NUL follows to the end; else
+ * positions, normals, indices, materials and albedos, as counted. */
+enum { MESH_MAGIC = 0x6d657368 };
+typedef struct mesh_head {
+    uint32_t magic, failed;
+    uint64_t vertices, triangles, materials, left_out;
+} mesh_head;
+
+/* Reads the file and writes to the pipe. Never returns. */
+_Noreturn void mesh_child(const char *path, int pipe);
+
+/* Linear base colour of a material of a file in this folder ("" or with its slash). */
+void mesh_albedo(const struct aiScene *from, const struct aiMaterial *material, const char *folder,
+                 float albedo[3]);
+
+#endif

@@ -1,0 +1,117 @@
+/* scene_meshes.c: the "meshes" of a description. */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/buffer.h"
+#include "base/file.h"
+#include "base/json.h"
+#include "base/text.h"
+#include "scene_private.h"
+
+/* Lengths beyond these are mistakes; float squares stay finite within. */
+static const double longest = 1e15, shortest_scale = 1e-15;
+
+/* The first of folder/name and scene_dir/name that is there, malloc'ed; NULL after one line. */
+static char *find_file(const char *name, const scene_where *where, const char *scene_dir)
+{
+    if (name[0] == '/')
+        return base_copy(name, strlen(name));
+    const char *slash = strrchr(where->path, '/');
+    buffer beside = {0};
+    buffer_add_n(&beside, where->path, slash ? (size_t)(slash + 1 - where->path) : 0);
+    buffer_add(&beside, name);
+    if (access(beside.text, F_OK) == 0)
+        return beside.text;
+    buffer_free(&beside);
+    char *elsewhere = scene_dir ? base_join(scene_dir, name) : NULL;
+    if (elsewhere && access(elsewhere, F_OK) == 0)
+        return elsewhere;
+    free(elsewhere);
+    if (scene_dir)
+        base_error("%s: key \"%sfile\": %.200s is neither beside the description nor in %s",
+                   where->path, where->prefix, name, scene_dir);
+    else
+        base_error(
+            "%s: key \"%sfile\": %.200s is not beside the description; a folder of scenes is "
+            "given by --scene-dir or SGFIT_SCENES",
+            where->path, where->prefix, name);
+    return NULL;
+}
+
+static bool read_transform(const cJSON *item, const scene_where *where, scene_transform *transform)
+{
+    *transform = (scene_transform){.scale = {1, 1, 1}};
+    static const char scale_text[] = "a number or 3, none of them 0, of at most 1e15";
+    double degrees[3] = {0};
+    if (!scene_three(item, where, "scale", scale_text, true, -longest, longest, transform->scale))
+        return false;
+    for (int i = 0; i < 3; i++)
+        if (fabs(transform->scale[i]) < shortest_scale)
+            return scene_refuse(where, "scale", scale_text,
+                                cJSON_GetObjectItemCaseSensitive(item, "scale"));
+    if (!scene_three(item, where, "rotate_deg", "3 angles in degrees", false, -1e6, 1e6, degrees))
+        return false;
+    scene_rotation(degrees, transform->rotation);
+    return scene_three(item, where, "translate", "3 numbers of at most 1e15", false, -longest,
+                       longest, transform->translation);
+}
+
+static bool read_mesh(const cJSON *item, const scene_where *where, const char *scene_dir,
+                      render_scene *scene)
+{
+    static const char *const keys[] = {"file", "scale", "rotate_deg", "translate", "albedo", NULL};
+    if (!cJSON_IsObject(item))
+        return scene_refuse(where, "", "an object", item);
+    if (!base_json_only(item, where->path, keys))
+        return false;
+    const cJSON *file = cJSON_GetObjectItemCaseSensitive(item, "file");
+    if (!cJSON_IsString(file) || !file->valuestring[0])
+        return scene_refuse(where, "file", "the name of a mesh file", file);
+    scene_transform transform;
+    double albedo[3];
+    if (!read_transform(item, where, &transform) ||
+        !scene_three(item, where, "albedo", "a number or 3, in [0, 1]", true, 0, 1, albedo))
+        return false;
+    char *path = find_file(file->valuestring, where, scene_dir);
+    if (!path)
+        return false;
+    mesh from;
+    bool good = mesh_read(path, NULL, &from);
+    if (good)
+        good = scene_add_mesh(scene, &from, &transform, scene_has(item, "albedo") ? albedo : NULL);
+    mesh_free(&from);
+    free(path);
+    return good;
+}
+
+static void find_bounds(render_scene *scene)
+{
+    for (int i = 0; i < 3; i++) {
+        scene->low[i] = scene->vertex_count ? DBL_MAX : 0;
+        scene->high[i] = scene->vertex_count ? -DBL_MAX : 0;
+    }
+    for (size_t i = 0; i < 3 * scene->vertex_count; i++) {
+        scene->low[i % 3] = fmin(scene->low[i % 3], (double)scene->positions[i]);
+        scene->high[i % 3] = fmax(scene->high[i % 3], (double)scene->positions[i]);
+    }
+}
+
+bool scene_read_meshes(const cJSON *list, const char *path, const char *scene_dir,
+                       render_scene *scene)
+{
+    scene_where where = {.path = path};
+    if (!cJSON_IsArray(list))
+        return scene_refuse(&where, "meshes", "a list of meshes, which may be empty", list);
+    int index = 0;
+    for (const cJSON *item = list->child; item; item = item->next) {
+        snprintf(where.prefix, sizeof where.prefix, "meshes[%d].", index++);
+        if (!read_mesh(item, &where, scene_dir, scene))
+            return false;
+    }
+    find_bounds(scene);
+    return true;
+}

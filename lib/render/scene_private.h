@@ -1,0 +1,81 @@
+/* scene_private.h: between the files that read scenes. */
+#ifndef RENDER_SCENE_PRIVATE_H
+#define RENDER_SCENE_PRIVATE_H
+
+#include <cjson/cJSON.h>
+
+#include "mesh.h"
+#include "scene.h"
+
+/* ---- Values of the description ------------------------------------------------------------------
+ */
+
+/* Where in which file a value stands: prefix is "", "camera." or "meshes[2].". */
+typedef struct scene_where {
+    const char *path;
+    char prefix[48];
+} scene_where;
+
+/* One line: `PATH: key "PREFIXKEY": expected EXPECTED, found VALUE`; returns false. */
+bool scene_refuse(const scene_where *where, const char *key, const char *expected,
+                  const cJSON *found);
+
+/* An absent key leaves the value as it is; given: where not NULL, whether it was there. False after
+ * one line where it is anything but a number in [low, high]. */
+bool scene_number(const cJSON *object, const scene_where *where, const char *key,
+                  const char *expected, double low, double high, double *value);
+
+/* Three numbers, each in [low, high]; with alone, one number stands for all three. */
+bool scene_three(const cJSON *object, const scene_where *where, const char *key,
+                 const char *expected, bool alone, double low, double high, double value[3]);
+
+bool scene_has(const cJSON *object, const char *key);
+
+/* ---- Parts --------------------------------------------------------------------------------------
+ */
+
+/* Reads the meshes of the list and adds their triangles. */
+bool scene_read_meshes(const cJSON *list, const char *path, const char *scene_dir,
+                       render_scene *scene);
+
+/* These follow scene_read_meshes: what is not given follows from the bounds. object: NULL where the
+ * key is absent. */
+bool scene_read_camera(const cJSON *object, const char *path, render_scene *scene);
+bool scene_read_spot(const cJSON *object, const char *path, render_scene *scene);
+bool scene_read_area_lights(const cJSON *list, const char *path, render_scene *scene);
+
+/* Centre and radius of a sphere round the bounds; 0 and 1 for an empty scene. */
+void scene_sphere(const render_scene *scene, double centre[3], double *radius);
+
+/* ---- Building -----------------------------------------------------------------------------------
+ */
+
+/* p' = rotation * (scale * p) + translation */
+typedef struct scene_transform {
+    double scale[3], rotation[3][3], translation[3];
+} scene_transform;
+
+void scene_rotation(const double degrees[3], double rotation[3][3]);
+
+/* Adds a mesh, transformed; albedo: NULL, or instead of the materials'. Triangles without area or
+ * with a corner that is not finite are left out and counted. Vertices that no triangle uses are
+ * left out. Normals become unit; one that is none becomes the mean of its triangles'. */
+bool scene_add_mesh(render_scene *scene, const mesh *from, const scene_transform *transform,
+                    const double *albedo);
+
+/* ---- Vectors ------------------------------------------------------------------------------------
+ */
+
+static inline double scene_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline void scene_cross(const double a[3], const double b[3], double result[3])
+{
+    result[0] = a[1] * b[2] - a[2] * b[1];
+    result[1] = a[2] * b[0] - a[0] * b[2];
+    result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+#endif
