@@ -68,7 +68,7 @@ typedef struct render_frame {
     gpu_image *light;
     gpu_image *image; /* GPU_RGBA32F: radiance, albedo/pi applied; w: 1, or 0 without a surface */
 
-    /* times of the passes "gbuffer" and "rsm", triangles, lights, ground_truth_evaluations */
+    /* times of the passes "gbuffer" and "rsm"; triangles, lights */
     render_statistics made;
     double gain; /* exposure of pictures of this scene and view, see render_tone */
     gpu_compute *resolve;
@@ -93,7 +93,7 @@ float render_tone(double gain, float radiance);
 typedef struct render_pipeline {
     const char *id;    /* as after --pipeline */
     const char *title; /* one line */
-    /* Makes buffers and pipelines of its own for the frame. */
+    /* Makes buffers and pipelines of its own for the frame; leaves nothing behind on failure. */
     gpu_status (*create)(render_frame *frame, void **state);
     /* Fills frame->light, options.runs times, and adds its counts and times to the statistics. */
     gpu_status (*run)(render_frame *frame, void *state, render_statistics *statistics);

@@ -1,0 +1,107 @@
+/* The scene's triangles on the device, drawn into position, normals and albedo. */
+#include "internal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+gpu_status gbuffer_create(gpu_device *device, uint32_t width, uint32_t height, gbuffer *images)
+{
+    *images = (gbuffer){0};
+    gpu_status status = gpu_image_create(device, GPU_RGBA32F, width, height, &images->position);
+    if (status == GPU_OK)
+        status = gpu_image_create(device, GPU_RG32U, width, height, &images->normal);
+    if (status == GPU_OK)
+        status = gpu_image_create(device, GPU_RGBA8, width, height, &images->albedo);
+    if (status == GPU_OK)
+        status = gpu_image_create(device, GPU_DEPTH32, width, height, &images->depth);
+    return status;
+}
+
+void gbuffer_destroy(gbuffer *images)
+{
+    gpu_image_destroy(images->position);
+    gpu_image_destroy(images->normal);
+    gpu_image_destroy(images->albedo);
+    gpu_image_destroy(images->depth);
+    *images = (gbuffer){0};
+}
+
+/* An empty array still needs a buffer that can be bound. */
+static gpu_status upload(gpu_device *device, const void *bytes, size_t size, gpu_buffer **buffer)
+{
+    gpu_status status = gpu_buffer_create(device, size ? size : 16, buffer);
+    if (status == GPU_OK && size)
+        memcpy(gpu_buffer_map(*buffer), bytes, size);
+    return status;
+}
+
+gpu_status geometry_create(gpu_device *device, const render_scene *scene, geometry *out)
+{
+    *out = (geometry){.device = device, .corner_count = (uint32_t)(3 * scene->triangle_count)};
+    const struct {
+        const void *bytes;
+        size_t size;
+        gpu_buffer **buffer;
+    } arrays[] = {
+        {scene->positions, 3 * sizeof(float) * scene->vertex_count, &out->positions},
+        {scene->normals, 3 * sizeof(float) * scene->vertex_count, &out->normals},
+        {scene->indices, 3 * sizeof(uint32_t) * scene->triangle_count, &out->indices},
+        {scene->materials, sizeof(uint32_t) * scene->triangle_count, &out->materials},
+        {scene->albedos, 3 * sizeof(float) * scene->material_count, &out->albedos},
+    };
+    gpu_status status = GPU_OK;
+    for (size_t i = 0; status == GPU_OK && i < sizeof arrays / sizeof *arrays; i++) {
+        gpu_needs needs = {.buffer_bytes = arrays[i].size};
+        status = gpu_check(device, &needs);
+        if (status == GPU_OK)
+            status = upload(device, arrays[i].bytes, arrays[i].size, arrays[i].buffer);
+    }
+    if (status != GPU_OK)
+        return status;
+    gpu_draw_options options = {
+        .name = "gbuffer",
+        .vertex = render_shader("gbuffer/gbuffer.vert"),
+        .fragment = render_shader("gbuffer/gbuffer.frag"),
+        .binding_count = 6, /* all of them storage buffers */
+        .push_size = sizeof(uint32_t),
+        .target_count = 3,
+        .targets = {GPU_RGBA32F, GPU_RG32U, GPU_RGBA8},
+        .depth = true,
+    };
+    return gpu_draw_create(device, &options, &out->draw);
+}
+
+void geometry_destroy(geometry *geometry)
+{
+    gpu_draw_destroy(geometry->draw);
+    gpu_buffer_destroy(geometry->positions);
+    gpu_buffer_destroy(geometry->normals);
+    gpu_buffer_destroy(geometry->indices);
+    gpu_buffer_destroy(geometry->materials);
+    gpu_buffer_destroy(geometry->albedos);
+}
+
+gpu_status geometry_draw(const geometry *geometry, gpu_buffer *view, const gbuffer *images,
+                         bool detailed, int runs, double *ms)
+{
+    uint32_t push = detailed;
+    gpu_step step = {
+        .name = "gbuffer",
+        .draw = geometry->draw,
+        .resources = {view, geometry->positions, geometry->normals, geometry->indices,
+                      geometry->materials, geometry->albedos},
+        .push = &push,
+        .vertex_count = geometry->corner_count,
+        .targets = {images->position, images->normal, images->albedo},
+        .depth = images->depth,
+    };
+    double *times = calloc((size_t)runs, sizeof *times);
+    if (!times)
+        return gpu_fail(GPU_OUT_OF_MEMORY, "the G-buffer: out of host memory");
+    gpu_status status = GPU_OK;
+    for (int run = 0; status == GPU_OK && run < runs; run++)
+        status = gpu_run(geometry->device, &step, 1, &times[run]);
+    *ms = 1e3 * median(times, runs);
+    free(times);
+    return status;
+}

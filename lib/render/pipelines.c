@@ -1,0 +1,19 @@
+/* The table of pipelines. */
+#include "internal.h"
+
+#include <string.h>
+
+const render_pipeline *const render_pipelines[] = {
+    &exact_pipeline,
+    &exact_unclipped_pipeline,
+    &limit_pipeline,
+    NULL,
+};
+
+const render_pipeline *render_pipeline_find(const char *id)
+{
+    for (int i = 0; render_pipelines[i]; i++)
+        if (strcmp(render_pipelines[i]->id, id) == 0)
+            return render_pipelines[i];
+    return NULL;
+}
