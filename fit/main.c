@@ -10,10 +10,12 @@
 #include "bench/bench.h"
 #include "bench/profile_fit.h"
 #include "fit/fit.h"
+#include "render/commands.h"
 #include "sg.h"
 #include "tables/tables.h"
 
-static const base_command *const rooms[] = {fit_commands, tables_commands, bench_commands};
+static const base_command *const rooms[] = {fit_commands, tables_commands, bench_commands,
+                                            render_commands};
 enum { ROOMS = sizeof rooms / sizeof *rooms };
 
 static void print_help(void)

@@ -1,0 +1,174 @@
+/* Reading a frame back and writing it as EXR, and its numbers as JSON. */
+#include "output.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/buffer.h"
+#include "base/exr.h"
+#include "base/json.h"
+#include "internal.h"
+
+/* ---- Reading ------------------------------------------------------------------------- */
+
+static size_t pixels_of(gpu_image *image)
+{
+    return (size_t)gpu_image_width(image) * gpu_image_height(image);
+}
+
+gpu_status output_read_image(gpu_image *image, float **pixels)
+{
+    *pixels = base_allocate(pixels_of(image) * 4 * sizeof **pixels);
+    return gpu_image_read(image, *pixels);
+}
+
+static gpu_status read_normals(gpu_image *image, output_frame *out)
+{
+    size_t pixels = pixels_of(image);
+    uint32_t *packed = base_allocate(pixels * 2 * sizeof *packed);
+    gpu_status status = gpu_image_read(image, packed);
+    out->shading = base_allocate(pixels * 3 * sizeof(float));
+    out->geometric = base_allocate(pixels * 3 * sizeof(float));
+    for (size_t i = 0; status == GPU_OK && i < pixels; i++) {
+        bool surface = out->position[4 * i + 3] > 0;
+        unpack_normal(packed[2 * i], out->shading + 3 * i);
+        unpack_normal(packed[2 * i + 1], out->geometric + 3 * i);
+        for (size_t c = 0; !surface && c < 3; c++)
+            out->shading[3 * i + c] = out->geometric[3 * i + c] = 0;
+    }
+    free(packed);
+    return status;
+}
+
+static gpu_status read_albedo(gpu_image *image, output_frame *out)
+{
+    size_t pixels = pixels_of(image);
+    uint8_t *bytes = base_allocate(pixels * 4);
+    gpu_status status = gpu_image_read(image, bytes);
+    out->albedo = base_allocate(pixels * 4 * sizeof(float));
+    for (size_t i = 0; status == GPU_OK && i < 4 * pixels; i++)
+        out->albedo[i] = (float)bytes[i] / 255;
+    free(bytes);
+    return status;
+}
+
+gpu_status output_read(render_frame *frame, bool layers, output_frame *out)
+{
+    *out = (output_frame){.width = (int)frame->width, .height = (int)frame->height};
+    gpu_status status = output_read_image(frame->image, &out->radiance);
+    if (status == GPU_OK)
+        status = output_read_image(frame->light, &out->light);
+    if (status == GPU_OK && layers)
+        status = output_read_image(frame->position, &out->position);
+    if (status == GPU_OK && layers)
+        status = read_normals(frame->normal, out);
+    if (status == GPU_OK && layers)
+        status = read_albedo(frame->albedo, out);
+    return status;
+}
+
+void output_free(output_frame *out)
+{
+    free(out->radiance);
+    free(out->light);
+    free(out->truth);
+    free(out->errors);
+    free(out->position);
+    free(out->shading);
+    free(out->geometric);
+    free(out->albedo);
+    *out = (output_frame){0};
+}
+
+/* ---- EXR ----------------------------------------------------------------------------- */
+
+enum { MOST_CHANNELS = 32 };
+
+typedef struct channels {
+    exr_channel list[MOST_CHANNELS];
+    char names[MOST_CHANNELS][32];
+    size_t count;
+} channels;
+
+/* One channel for each letter; layer "": without a point before it. Without pixels nothing. */
+static void add(channels *to, const char *layer, const char *letters, const float *pixels,
+                int stride)
+{
+    for (int i = 0; pixels && letters[i]; i++) {
+        char *name = to->names[to->count];
+        size_t length = strlen(layer);
+        memcpy(name, layer, length);
+        if (length)
+            name[length++] = '.';
+        name[length] = letters[i];
+        name[length + 1] = 0;
+        to->list[to->count++] = (exr_channel){.name = name, .pixels = pixels + i, .stride = stride};
+    }
+}
+
+bool output_exr(const char *path, const output_frame *out)
+{
+    channels all = {.count = 0};
+    add(&all, "", "RGB", out->radiance, 4);
+    if (out->position) {
+        add(&all, "position", "XYZ", out->position, 4);
+        add(&all, "depth", "Z", out->position + 3, 4);
+        add(&all, "normal", "XYZ", out->shading, 3);
+        add(&all, "geometric_normal", "XYZ", out->geometric, 3);
+        add(&all, "albedo", "RGB", out->albedo, 4);
+        add(&all, "irradiance", "RGB", out->light, 4);
+        add(&all, "state", "Y", out->light + 3, 4);
+        add(&all, "truth", "RGB", out->truth, 4);
+        add(&all, "error", "Y", out->errors, 1);
+    }
+    exr_image image = {.width = out->width,
+                       .height = out->height,
+                       .channels = all.list,
+                       .channel_count = all.count,
+                       .compressed = true};
+    return exr_write(path, &image);
+}
+
+/* ---- Numbers ------------------------------------------------------------------------- */
+
+static void add_count(cJSON *object, const char *key, uint64_t count)
+{
+    base_json_add_f64(object, key, (double)count);
+}
+
+void output_statistics(cJSON *object, const render_statistics *statistics)
+{
+    add_count(object, "triangles", statistics->triangles);
+    add_count(object, "lights", statistics->lights);
+    add_count(object, "pixels_covered", statistics->pixels_covered);
+    add_count(object, "pixels_uncovered", statistics->pixels_uncovered);
+    add_count(object, "pixels_wrong", statistics->pixels_wrong);
+    add_count(object, "quads", statistics->quads);
+    add_count(object, "vertices", statistics->vertices);
+    add_count(object, "light_evaluations", statistics->light_evaluations);
+    add_count(object, "ground_truth_evaluations", statistics->ground_truth_evaluations);
+    cJSON *times = cJSON_AddObjectToObject(object, "times_ms");
+    double all = 0, lighting = 0;
+    for (int i = 0; i < statistics->time_count; i++) {
+        const char *name = statistics->times[i].name;
+        double ms = statistics->times[i].ms;
+        base_json_add_f64(times, name, ms);
+        bool shared = strcmp(name, "gbuffer") == 0 || strcmp(name, "rsm") == 0 ||
+                      strcmp(name, "resolve") == 0;
+        all += ms;
+        lighting += shared ? 0 : ms;
+    }
+    base_json_add_f64(object, "frame_ms", all);
+    base_json_add_f64(object, "lighting_ms", lighting);
+}
+
+void output_comparison(cJSON *object, const render_comparison *comparison)
+{
+    base_json_add_f64(object, "rel", comparison->rel);
+    base_json_add_f64(object, "p50", comparison->p50);
+    base_json_add_f64(object, "p95", comparison->p95);
+    base_json_add_f64(object, "p99", comparison->p99);
+    base_json_add_f64(object, "p999", comparison->p999);
+    base_json_add_f64(object, "bias", comparison->bias);
+}

@@ -1,0 +1,40 @@
+/* output.h: what a frame is written as. */
+#ifndef RENDER_OUTPUT_H
+#define RENDER_OUTPUT_H
+
+#include <cjson/cJSON.h>
+
+#include "render.h"
+
+/* A frame after its pipeline has run, read back; 4 floats a pixel each. */
+typedef struct output_frame {
+    int width, height;
+    float *radiance;            /* frame->image */
+    float *light;               /* frame->light */
+    float *truth;               /* light of the exact pipeline; NULL: was not asked for */
+    float *errors;              /* 1 float a pixel; NULL with truth */
+    float *position;            /* the G-buffer, read where layers are asked for, else NULL */
+    float *shading, *geometric; /* normals, 3 floats a pixel */
+    float *albedo;
+} output_frame;
+
+gpu_status output_read(render_frame *frame, bool layers, output_frame *out);
+gpu_status output_read_image(gpu_image *image, float **pixels); /* of GPU_RGBA32F */
+void output_free(output_frame *out);
+
+/* Linear radiance as channels R, G, B, and with layers everything that was read. All three: false
+ * after one line. */
+bool output_exr(const char *path, const output_frame *out);
+/* Radiance by render_tone, as sRGB. */
+bool output_png(const char *path, int width, int height, const float *radiance, double gain);
+/* The layers and, where there is a truth, four times the error, as pictures in a folder. */
+bool output_dump(const char *folder, const output_frame *out, double gain);
+
+/* Values from 0 to 1 as colours: black, violet, red, yellow, white; 1 float a pixel, scaled. */
+bool output_false_colour(const char *path, int width, int height, const float *values, float scale);
+
+/* Counts and times, as the keys that README lists. */
+void output_statistics(cJSON *object, const render_statistics *statistics);
+void output_comparison(cJSON *object, const render_comparison *comparison);
+
+#endif

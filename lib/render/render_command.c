@@ -1,0 +1,227 @@
+/* sgfit render: a scene by one pipeline, its pictures and its numbers. */
+#include "render_command.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/buffer.h"
+#include "base/file.h"
+#include "base/json.h"
+#include "base/options.h"
+#include "base/text.h"
+#include "output.h"
+#include "sg.h"
+
+typedef struct settings {
+    const char *scene, *scene_dir, *pipeline, *size, *compare, *method, *device;
+    const char *out, *png, *stats, *dump;
+    bool layers, detailed;
+    long runs;
+} settings;
+
+enum { LARGEST_SIDE = 16384, MOST_RUNS = 1000 };
+
+/* ---- Arguments ----------------------------------------------------------------------- */
+
+static const render_pipeline *choose_pipeline(const char *id)
+{
+    const render_pipeline *pipeline = render_pipeline_find(id ? id : "hull");
+    if (pipeline)
+        return pipeline;
+    if (!id)
+        return render_pipelines[0];
+    buffer known = {NULL, 0, 0};
+    for (int i = 0; render_pipelines[i]; i++)
+        buffer_print(&known, "%s%s", i ? ", " : "", render_pipelines[i]->id);
+    base_error("--pipeline: expected one of %s, found \"%s\"", known.text, id);
+    buffer_free(&known);
+    return NULL;
+}
+
+/* WIDTHxHEIGHT, both from 1 to LARGEST_SIDE. */
+static bool read_size(const char *text, render_options *options)
+{
+    const char *x = strchr(text, 'x');
+    long width = 0, height = 0;
+    char first[8] = "";
+    if (x && x - text < (long)sizeof first) {
+        memcpy(first, text, (size_t)(x - text));
+        if (base_parse_long(first, &width) && base_parse_long(x + 1, &height) && width >= 1 &&
+            width <= LARGEST_SIDE && height >= 1 && height <= LARGEST_SIDE) {
+            options->width = (uint32_t)width;
+            options->height = (uint32_t)height;
+            return true;
+        }
+    }
+    base_error("--size: expected WIDTHxHEIGHT, each from 1 to %d, found \"%s\"", LARGEST_SIDE,
+               text);
+    return false;
+}
+
+static int read_arguments(int argc, char **argv, settings *s)
+{
+    const base_option options[] = {
+        {"scene", BASE_STRING, &s->scene, "FILE.json",
+         "description of the scene (default: the built-in box)", NULL},
+        {"scene-dir", BASE_STRING, &s->scene_dir, "DIR",
+         "where meshes are that are not beside the description (default: $SGFIT_SCENES)", NULL},
+        {"pipeline", BASE_STRING, &s->pipeline, "ID", "how to light it (default: hull)", NULL},
+        {"size", BASE_STRING, &s->size, "WxH", "pixels (default: 1280x720)", NULL},
+        {"compare", BASE_CHOICE, &s->compare, "exact", "compare with ground truth", NULL},
+        {"method", BASE_STRING, &s->method, "ID",
+         "integrate lobes by this method of the registry (default: standard)", NULL},
+        {"detailed-normals", BASE_FLAG, &s->detailed, NULL,
+         "add strong procedural bumps to the shading normals", NULL},
+        {"runs", BASE_LONG, &s->runs, "N", "times are medians of N runs (default: 1)", NULL},
+        {"out", BASE_STRING, &s->out, "FILE.exr", "write linear radiance", NULL},
+        {"layers", BASE_FLAG, &s->layers, NULL,
+         "also the G-buffer, the light buffer and the truth, as channels of that file", NULL},
+        {"png", BASE_STRING, &s->png, "FILE.png", "write a tone-mapped picture", NULL},
+        {"stats", BASE_STRING, &s->stats, "FILE.json",
+         "write the statistics there, not to standard output", NULL},
+        {"dump", BASE_STRING, &s->dump, "DIR", "write a picture of every stage", NULL},
+        {"device", BASE_STRING, &s->device, "NAME",
+         "part of the Vulkan device's name (default: llvmpipe, the software driver)", NULL},
+    };
+    static const base_usage usage = {
+        "render", "[options]",
+        "Renders a scene by one pipeline on a Vulkan device, counts what that took, and compares "
+        "it with ground truth. Pictures are tone-mapped by Reinhard's curve, x (1 + x/16)/(1 + x), "
+        "with an exposure that depends on the scene and the view alone."};
+    return base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options, NULL);
+}
+
+/* ---- Rendering ----------------------------------------------------------------------- */
+
+static bool is_good(gpu_status status)
+{
+    if (status != GPU_OK)
+        base_error("%s", gpu_last_error());
+    return status == GPU_OK;
+}
+
+/* The truth of the same frame, its times and the comparison. */
+static bool compare(render_frame *frame, output_frame *out, cJSON *json)
+{
+    const render_pipeline *exact = render_pipeline_find("exact");
+    render_statistics statistics;
+    if (!is_good(render_frame_light(frame, exact, NULL, NULL, &statistics)) ||
+        !is_good(output_read_image(frame->light, &out->truth)))
+        return false;
+    size_t pixels = (size_t)out->width * (size_t)out->height;
+    out->errors = base_allocate(pixels * sizeof *out->errors);
+    render_comparison comparison;
+    render_compare(pixels, out->light, out->truth, out->errors, &comparison);
+    output_comparison(json, &comparison);
+    for (int i = 0; i < statistics.time_count; i++)
+        if (strcmp(statistics.times[i].name, "exact") == 0)
+            base_json_add_f64(json, "ground_truth_ms", statistics.times[i].ms);
+    return true;
+}
+
+static void describe(const settings *s, const render_frame *frame, const render_pipeline *pipeline,
+                     cJSON *json)
+{
+    const gpu_device_info *info = gpu_device_about(frame->device);
+    cJSON_AddStringToObject(json, "scene", frame->scene->name);
+    cJSON_AddStringToObject(json, "pipeline", pipeline->id);
+    cJSON_AddStringToObject(json, "method", s->method ? s->method : "standard");
+    cJSON *size = cJSON_AddArrayToObject(json, "size");
+    cJSON_AddItemToArray(size, base_json_number(frame->width));
+    cJSON_AddItemToArray(size, base_json_number(frame->height));
+    cJSON_AddBoolToObject(json, "detailed_normals", s->detailed);
+    base_json_add_f64(json, "runs", (double)s->runs);
+    cJSON_AddStringToObject(json, "device", info->name);
+    cJSON_AddStringToObject(json, "driver", info->version);
+    base_json_add_f64(json, "gain", frame->gain);
+}
+
+static bool write_statistics(const settings *s, const cJSON *json)
+{
+    char *text = base_json_print(json);
+    bool good = true;
+    if (s->stats)
+        good = base_write_file(s->stats, text, strlen(text));
+    else
+        fputs(text, stdout);
+    free(text);
+    return good;
+}
+
+static bool write_all(const settings *s, const output_frame *out, double gain, const cJSON *json)
+{
+    return (!s->out || output_exr(s->out, out)) &&
+           (!s->png || output_png(s->png, out->width, out->height, out->radiance, gain)) &&
+           (!s->dump || output_dump(s->dump, out, gain)) && write_statistics(s, json);
+}
+
+static bool light_and_write(const settings *s, render_frame *frame, const render_pipeline *pipeline)
+{
+    cJSON *json = cJSON_CreateObject();
+    output_frame out = {0};
+    render_statistics statistics;
+    bool dumped = true;
+    describe(s, frame, pipeline, json);
+    bool good = is_good(render_frame_light(frame, pipeline, s->dump, &dumped, &statistics)) &&
+                dumped && is_good(output_read(frame, s->layers || s->dump, &out));
+    if (good) {
+        output_statistics(json, &statistics);
+        good = !s->compare || compare(frame, &out, json);
+    }
+    good = good && write_all(s, &out, frame->gain, json);
+    output_free(&out);
+    cJSON_Delete(json);
+    return good;
+}
+
+static bool render(const settings *s, const render_options *options,
+                   const render_pipeline *pipeline, const render_scene *scene)
+{
+    gpu_device *device;
+    gpu_device_options choice = {.device = s->device};
+    if (!is_good(gpu_device_open(&choice, &device)))
+        return false;
+    render_frame frame;
+    bool good = is_good(render_frame_create(device, scene, options, &frame));
+    if (good) {
+        good = (!s->dump || base_make_directory(s->dump)) && light_and_write(s, &frame, pipeline);
+        render_frame_destroy(&frame);
+    }
+    gpu_device_close(device);
+    return good;
+}
+
+int render_command(int argc, char **argv)
+{
+    settings s = {.size = "1280x720", .runs = 1, .device = "llvmpipe"};
+    int status = read_arguments(argc, argv, &s);
+    if (status >= 0)
+        return status;
+    render_options options = {.method = s.method, .detailed_normals = s.detailed};
+    const render_pipeline *pipeline = choose_pipeline(s.pipeline);
+    if (!pipeline || !read_size(s.size, &options))
+        return BASE_USAGE;
+    if (s.runs < 1 || s.runs > MOST_RUNS) {
+        base_error("--runs: expected a number from 1 to %d, found %ld", MOST_RUNS, s.runs);
+        return BASE_USAGE;
+    }
+    options.runs = (int)s.runs;
+    if (s.method && !sg_method_find(s.method)) {
+        base_error("--method: expected one that sgfit methods lists, found \"%s\"", s.method);
+        return BASE_USAGE;
+    }
+    if (s.layers && !s.out) {
+        base_error("--layers: expected --out, into which the layers are written");
+        return BASE_USAGE;
+    }
+    char *standard = s.scene ? NULL : render_scene_default();
+    render_scene scene;
+    bool read = render_scene_read(s.scene ? s.scene : standard, s.scene_dir, &scene);
+    free(standard);
+    if (!read)
+        return BASE_USAGE;
+    bool good = render(&s, &options, pipeline, &scene);
+    render_scene_free(&scene);
+    return good ? BASE_DONE : BASE_FAILED;
+}
