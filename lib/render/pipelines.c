@@ -1,5 +1,6 @@
 /* The table of pipelines. */
 #include "internal.h"
+#include "upsample.h"
 
 #include <string.h>
 
@@ -7,6 +8,9 @@ const render_pipeline *const render_pipelines[] = {
     &exact_pipeline,
     &exact_unclipped_pipeline,
     &limit_pipeline,
+    &upsample2_pipeline,
+    &upsample4_pipeline,
+    &upsample8_pipeline,
     NULL,
 };
 
