@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "chart.h"
 #include "cost.h"
+#include "scenes_command.h"
 
 static int write_all(const cost_table *table, const char *out, const char *counts)
 {
@@ -39,7 +40,8 @@ static bool is_subject(const char *id)
 
 int bench_command(int argc, char **argv)
 {
-    const char *out = NULL, *counts = NULL, *device = "llvmpipe", *only = NULL, *root = NULL;
+    const char *out = NULL, *counts = NULL, *device = "llvmpipe", *only = NULL, *root = NULL,
+               *scenes = NULL, *view = NULL;
     bool quick = false;
     const base_usage usage = {
         "bench", "--out DIR [options]",
@@ -58,6 +60,12 @@ int bench_command(int argc, char **argv)
          "part of the Vulkan device's name (default: llvmpipe, the software driver)", NULL},
         {"root", BASE_STRING, &root, "DIR", "the source tree, for the texts that are counted",
          NULL},
+        {"scenes", BASE_STRING, &scenes, "DIR",
+         "measure the renderer instead, on the scenes of tests/scenes, their meshes in DIR; "
+         "\"built-in\": on those that need none",
+         NULL},
+        {"view", BASE_STRING, &view, "NAME", "with --scenes: those alone whose name begins so",
+         NULL},
         {"quick", BASE_FLAG, &quick, NULL, "fewer samples", NULL}};
     int status =
         base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options, NULL);
@@ -67,6 +75,16 @@ int bench_command(int argc, char **argv)
         base_set_source_root(root);
     if (!out && !counts) {
         base_error("bench: expected --out DIR or --counts FILE");
+        return BASE_USAGE;
+    }
+    if (scenes && !out) {
+        base_error("bench: expected --out DIR with --scenes");
+        return BASE_USAGE;
+    }
+    if (scenes)
+        return scenes_command(scenes, view, device, out, quick);
+    if (view) {
+        base_error("bench: expected --view only together with --scenes");
         return BASE_USAGE;
     }
     if (only && !is_subject(only)) {

@@ -1,4 +1,5 @@
-/* profile_savings.c: what a fit to a scene's lights saves against the tier that serves any scene. */
+/* profile_savings.c: what a fit to a scene's lights saves against the tier that serves any scene.
+ */
 #include "profile_fit.h"
 
 #include <math.h>

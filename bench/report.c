@@ -26,6 +26,7 @@ static const report_section sections[] = {
     {"rmse", "Error over sharpness", report_rmse, NULL},
     {"cosine", "The cosine as a lobe", report_cosine, NULL},
     {"hemisphere", "The hemisphere's integral", report_hemisphere, NULL},
+    {"scenes", "What it is worth in a picture", report_scenes, report_has_scenes},
     {"fits", "Fits against published constants", report_fits, NULL},
     {"tried", "What was tried", report_tried, report_has_tried},
     {"routes", "Quadrature", report_routes, NULL},
@@ -50,9 +51,10 @@ static bool score_all(report *report, base_progress *progress)
     return true;
 }
 
-static bool write_report(const char *folder, const char *bench, const char *stability)
+static bool write_report(const char *folder, const char *bench, const char *stability,
+                         const char *scenes)
 {
-    report report = {.bench = bench, .stability = stability};
+    report report = {.bench = bench, .stability = stability, .scenes = scenes};
     report.page = page_new("Clamped cosine and spherical Gaussians: the error report",
                            "How far every published approximation, and every fit of this project, "
                            "is from the exact integral; computed from nothing but the integral.");
@@ -77,13 +79,16 @@ static bool write_report(const char *folder, const char *bench, const char *stab
 
 int report_command(int argc, char **argv)
 {
-    const char *out = NULL, *root = NULL, *bench = NULL, *stability = NULL, *readme = NULL;
+    const char *out = NULL, *root = NULL, *bench = NULL, *stability = NULL, *scenes = NULL,
+               *readme = NULL;
     const base_option options[] = {
         {"out", BASE_STRING, &out, "DIR", "the folder to write index.html and its data into", NULL},
         {"bench", BASE_STRING, &bench, "DIR",
          "what sgfit bench --out wrote: adds times to the chart of speed against accuracy", NULL},
         {"stability", BASE_STRING, &stability, "DIR",
          "what sgfit stability --out wrote: adds the section on where methods fail", NULL},
+        {"scenes", BASE_STRING, &scenes, "DIR",
+         "what sgfit bench --scenes wrote: adds what the fits are worth in a picture", NULL},
         {"readme", BASE_STRING, &readme, "FILE",
          "rewrite the block of figures in FILE, and tables/out/chart.svg beside it", NULL},
         {"root", BASE_STRING, &root, "DIR", "the source tree, for tables/constants", NULL},
@@ -116,5 +121,5 @@ int report_command(int argc, char **argv)
         base_error("report: %s: cannot be written, expected a folder of yours", out);
         return BASE_FAILED;
     }
-    return write_report(out, bench, stability) ? BASE_DONE : BASE_FAILED;
+    return write_report(out, bench, stability, scenes) ? BASE_DONE : BASE_FAILED;
 }

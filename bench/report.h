@@ -17,6 +17,7 @@ typedef struct report {
     double batch_speed_up; /* of sg_A_h_batch over single calls; 0: not measured */
     const char *bench;     /* folders that `sgfit bench` and */
     const char *stability; /* `sgfit stability` wrote; NULL: none given */
+    const char *scenes;    /* folder that `sgfit bench --scenes` wrote; NULL: none given */
 } report;
 
 typedef struct report_section {
@@ -43,6 +44,8 @@ bool report_stability(report *report);  /* report_stability.c */
 bool report_has_stability(const report *report);
 bool report_profile(report *report); /* report_profile.c */
 bool report_has_profile(const report *report);
+bool report_scenes(report *report); /* report_scenes.c */
+bool report_has_scenes(const report *report);
 bool report_tried(report *report); /* report_tried.c */
 bool report_has_tried(const report *report);
 

@@ -1,0 +1,89 @@
+/* scenes.h: what the renderer's pipelines are worth on scenes: errors against ground truth, light
+ * evaluations and time, as tables and pictures. Private to bench. */
+#ifndef BENCH_SCENES_H
+#define BENCH_SCENES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "render/render.h"
+
+enum { SCENES_NAME = 48 };
+
+/* One pipeline on one view. */
+typedef struct scenes_row {
+    char scene[SCENES_NAME], pipeline[SCENES_NAME], method[SCENES_NAME];
+    uint32_t width, height;
+    bool detailed; /* strong detail on the shading normals */
+    render_statistics statistics;
+    render_comparison error; /* against the pipeline `exact` */
+    double jump_p99;         /* of the change of the error from a pixel to its right neighbour, 99th
+                                percentile */
+    double lighting_ms;      /* all passes of the pipeline, median of the runs */
+    double truth_ms;         /* the same of `exact`, in the same interleaved runs */
+} scenes_row;
+
+typedef struct scenes_table {
+    scenes_row *rows;
+    size_t count;
+} scenes_table;
+
+/* A view: a scene at a size. */
+typedef struct scenes_view {
+    gpu_device *device;
+    const render_scene *scene;
+    const char *name;
+    uint32_t width, height;
+    bool detailed;
+    const char *method; /* NULL: the renderer's default */
+    int runs;           /* interleaved: every pipeline once, then every pipeline again */
+} scenes_view;
+
+/* Called once a pipeline, `exact` first, with what it made: 4 floats a pixel. The frame holds the
+ * pipeline's light and image. False ends the measuring. */
+typedef bool (*scenes_look)(void *context, render_frame *frame, const scenes_row *row,
+                            const float *light, const float *truth, const float *errors);
+
+/* Adds a row for `exact` and one for each of the pipelines (ids, NULL-ended). look may be NULL.
+ * False after one line. */
+bool scenes_measure(const scenes_view *view, const char *const *pipelines, scenes_look look,
+                    void *context, scenes_table *table);
+
+void scenes_table_free(scenes_table *table);
+
+/* As CSV: the columns of the row and the times of every pass. False after one line. */
+bool scenes_write_csv(const scenes_table *table, const char *path);
+bool scenes_write_passes(const scenes_table *table, const char *path);
+
+/* ---- scenes_picture.c ------------------------------------------------------------------------ */
+
+/* The error of each pixel times four in false colours, green low, red high, black where there is no
+ * surface. False after one line. */
+bool scenes_write_errors(const char *path, uint32_t width, uint32_t height, const float *errors,
+                         const float *truth);
+
+/* ---- The parts of `sgfit bench --scenes` -------------------------------------------------------
+ */
+
+typedef struct scenes_plan {
+    gpu_device *device;
+    const char *folder; /* of the meshes; NULL: the built-in scene alone */
+    const char *out;
+    bool quick;
+    const char *only; /* names of scenes that begin so; NULL: all */
+} scenes_plan;
+
+/* Every view, size and kind of normals by every pipeline: views.csv, passes.csv, pictures/. */
+bool scenes_views(const scenes_plan *plan);
+/* The paper's table 1: rates.csv. */
+bool scenes_rates(const scenes_plan *plan);
+/* Lighting time over triangles, pixels and lights: growth.csv. */
+bool scenes_growth(const scenes_plan *plan);
+/* Sixty frames of a moving camera and a moving light: flicker.csv. */
+bool scenes_flicker(const scenes_plan *plan);
+
+/* The descriptions that the plan covers: paths, free with base_list_free. */
+bool scenes_list(const scenes_plan *plan, char ***paths, size_t *count);
+
+#endif

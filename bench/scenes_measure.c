@@ -1,0 +1,187 @@
+/* scenes_measure.c: one view by several pipelines, interleaved, against ground truth. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/buffer.h"
+#include "base/text.h"
+#include "scenes.h"
+
+enum { MOST_PIPELINES = 32, MOST_RUNS = 15 };
+
+/* A pipeline at work: its state and the time of each run. */
+typedef struct job {
+    const render_pipeline *pipeline;
+    void *state;
+    scenes_row row;
+    double ms[MOST_RUNS];
+} job;
+
+static bool failed(const scenes_view *view, const char *id)
+{
+    base_error("%s at %ux%u, pipeline %s: %s", view->name, view->width, view->height, id,
+               gpu_last_error());
+    return false;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *values, int count)
+{
+    qsort(values, (size_t)count, sizeof *values, ascending);
+    return values[count / 2];
+}
+
+static double sum_of_times(const render_statistics *statistics)
+{
+    double sum = 0.0;
+    for (int i = 0; i < statistics->time_count; i++)
+        sum += statistics->times[i].ms;
+    return sum;
+}
+
+static bool run_once(render_frame *frame, const scenes_view *view, job *j, int run)
+{
+    j->row.statistics =
+        (render_statistics){.triangles = view->scene->triangle_count, .lights = frame->light_count};
+    if (j->pipeline->run(frame, j->state, &j->row.statistics) != GPU_OK)
+        return failed(view, j->pipeline->id);
+    j->ms[run] = sum_of_times(&j->row.statistics);
+    return true;
+}
+
+/* Signed error of a pixel relative to the mean of the truth, over the three channels. */
+static double signed_error(const float *light, const float *truth, double mean)
+{
+    double sum = 0.0;
+    for (int c = 0; c < 3; c++)
+        sum += (double)light[c] - (double)truth[c];
+    return mean > 0.0 ? sum / (3.0 * mean) : 0.0;
+}
+
+static double jump_p99(const scenes_view *view, const float *light, const float *truth)
+{
+    size_t pixels = (size_t)view->width * view->height, count = 0;
+    double sum = 0.0, covered = 0.0;
+    for (size_t i = 0; i < pixels; i++)
+        if (truth[4 * i + 3] != 0.0f) {
+            sum += (double)truth[4 * i] + (double)truth[4 * i + 1] + (double)truth[4 * i + 2];
+            covered += 3.0;
+        }
+    double mean = covered > 0.0 ? sum / covered : 0.0;
+    double *jumps = base_allocate((pixels + 1) * sizeof *jumps);
+    for (size_t i = 0; i + 1 < pixels; i++) {
+        if ((i + 1) % view->width == 0 || truth[4 * i + 3] == 0.0f || truth[4 * i + 7] == 0.0f)
+            continue;
+        jumps[count++] = fabs(signed_error(light + 4 * i + 4, truth + 4 * i + 4, mean) -
+                              signed_error(light + 4 * i, truth + 4 * i, mean));
+    }
+    qsort(jumps, count, sizeof *jumps, ascending);
+    double found = count ? jumps[(size_t)(0.99 * (double)(count - 1))] : 0.0;
+    free(jumps);
+    return found;
+}
+
+static void add_row(scenes_table *table, const scenes_row *row)
+{
+    table->rows = base_reallocate(table->rows, (table->count + 1) * sizeof *table->rows);
+    table->rows[table->count++] = *row;
+}
+
+/* Runs the job once more in the frame, so that the frame shows it, and compares. */
+static bool look_at(render_frame *frame, const scenes_view *view, job *j, float *light,
+                    const float *truth, float *errors, scenes_look look, void *context)
+{
+    size_t pixels = (size_t)view->width * view->height;
+    if (gpu_image_read(frame->light, light) != GPU_OK)
+        return failed(view, j->pipeline->id);
+    render_compare(pixels, light, truth, errors, &j->row.error);
+    j->row.jump_p99 = jump_p99(view, light, truth);
+    return !look || look(context, frame, &j->row, light, truth, errors);
+}
+
+/* The last round looks at each pipeline while the frame holds what it made. */
+static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, size_t count,
+                    scenes_look look, void *context)
+{
+    size_t pixels = (size_t)view->width * view->height;
+    float *truth = base_allocate((pixels + 1) * 4 * sizeof *truth),
+          *light = base_allocate((pixels + 1) * 4 * sizeof *light),
+          *errors = base_allocate((pixels + 1) * sizeof *errors);
+    int runs = view->runs < 1 ? 1 : view->runs > MOST_RUNS ? MOST_RUNS : view->runs;
+    bool good = true;
+    for (int run = 0; run < runs && good; run++)
+        for (size_t i = 0; i < count && good; i++) {
+            good = run_once(frame, view, &jobs[i], run);
+            if (good && run == runs - 1 && i == 0)
+                good = gpu_image_read(frame->light, truth) == GPU_OK ||
+                       failed(view, jobs[i].pipeline->id);
+            if (good && run == runs - 1)
+                good = look_at(frame, view, &jobs[i], light, truth, errors, look, context);
+        }
+    for (size_t i = 0; i < count && good; i++) {
+        jobs[i].row.lighting_ms = median(jobs[i].ms, runs);
+        jobs[i].row.truth_ms = jobs[0].row.lighting_ms;
+    }
+    free(truth);
+    free(light);
+    free(errors);
+    return good;
+}
+
+static bool start(render_frame *frame, const scenes_view *view, const char *id, job *j)
+{
+    *j = (job){.pipeline = render_pipeline_find(id)};
+    if (!j->pipeline) {
+        base_error("bench: there is no pipeline \"%s\"", id);
+        return false;
+    }
+    scenes_row *row = &j->row;
+    snprintf(row->scene, sizeof row->scene, "%s", view->name);
+    snprintf(row->pipeline, sizeof row->pipeline, "%s", id);
+    snprintf(row->method, sizeof row->method, "%s", view->method ? view->method : "standard");
+    row->width = view->width;
+    row->height = view->height;
+    row->detailed = view->detailed;
+    return j->pipeline->create(frame, &j->state) == GPU_OK || failed(view, id);
+}
+
+bool scenes_measure(const scenes_view *view, const char *const *pipelines, scenes_look look,
+                    void *context, scenes_table *table)
+{
+    render_frame frame;
+    render_options options = {.width = view->width,
+                              .height = view->height,
+                              .method = view->method,
+                              .detailed_normals = view->detailed,
+                              .runs = 1};
+    if (render_frame_create(view->device, view->scene, &options, &frame) != GPU_OK)
+        return failed(view, "exact");
+    job *jobs = base_allocate(MOST_PIPELINES * sizeof *jobs);
+    size_t count = 1;
+    bool good = start(&frame, view, "exact", &jobs[0]);
+    for (; good && *pipelines && count < MOST_PIPELINES; pipelines++)
+        if (strcmp(*pipelines, "exact") != 0)
+            good = start(&frame, view, *pipelines, &jobs[count++]);
+    good = good && run_all(&frame, view, jobs, count, look, context);
+    for (size_t i = 0; i < count; i++) {
+        if (good)
+            add_row(table, &jobs[i].row);
+        if (jobs[i].state)
+            jobs[i].pipeline->destroy(jobs[i].state);
+    }
+    free(jobs);
+    render_frame_destroy(&frame);
+    return good;
+}
+
+void scenes_table_free(scenes_table *table)
+{
+    free(table->rows);
+    *table = (scenes_table){0};
+}

@@ -1,0 +1,17 @@
+/* scenes_missing.c: `sgfit bench --scenes` where the renderer was not built. */
+#include "base/options.h"
+#include "base/text.h"
+#include "scenes_command.h"
+
+int scenes_command(const char *folder, const char *only, const char *device, const char *out,
+                   bool quick)
+{
+    (void)folder;
+    (void)only;
+    (void)device;
+    (void)out;
+    (void)quick;
+    base_error("bench: --scenes needs Vulkan, shaderc and Assimp, which were not there when sgfit "
+               "was built");
+    return BASE_FAILED;
+}
