@@ -83,6 +83,9 @@ bool scenes_growth(const scenes_plan *plan);
 /* Sixty frames of a moving camera and a moving light: flicker.csv. */
 bool scenes_flicker(const scenes_plan *plan);
 
+/* Virtual spherical Gaussian lights by every method: lobes.csv, lobes/. */
+bool scenes_lobes(const scenes_plan *plan);
+
 /* The descriptions that the plan covers: paths, free with base_list_free. */
 bool scenes_list(const scenes_plan *plan, char ***paths, size_t *count);
 

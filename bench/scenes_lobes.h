@@ -1,0 +1,23 @@
+/* scenes_lobes.h: virtual spherical Gaussian lights. Private to bench. */
+#ifndef BENCH_SCENES_LOBES_H
+#define BENCH_SCENES_LOBES_H
+
+#include "render/render.h"
+
+enum { LOBE_LIGHTS = 2 };
+
+/* struct Lobe of shaders/lobes/lobes.glsl. */
+typedef struct lobe_light {
+    float centre[3], variance;
+    float axis[3], sharpness;
+    float intensity[4];
+} lobe_light;
+
+/* One small light close to the widest wall of the scene's bounds. Returns 1. */
+int lobe_light_sharp(const render_scene *scene, lobe_light lights[LOBE_LIGHTS]);
+
+/* The frame's lights as two, by their places: k-means, from the strongest light and the one
+ * farthest from it. Returns how many, at least 1. */
+int lobe_lights_of(render_frame *frame, lobe_light lights[LOBE_LIGHTS]);
+
+#endif
