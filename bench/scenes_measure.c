@@ -37,21 +37,26 @@ static double median(double *values, int count)
     return values[count / 2];
 }
 
-static double sum_of_times(const render_statistics *statistics)
+/* Of the passes that every pipeline shares, or of its own. */
+static double sum_of_times(const render_statistics *statistics, bool shared)
 {
+    static const char *const names[] = {"gbuffer", "rsm", "resolve"};
     double sum = 0.0;
-    for (int i = 0; i < statistics->time_count; i++)
-        sum += statistics->times[i].ms;
+    for (int i = 0; i < statistics->time_count; i++) {
+        bool found = false;
+        for (size_t n = 0; n < sizeof names / sizeof *names; n++)
+            found = found || strcmp(statistics->times[i].name, names[n]) == 0;
+        sum += found == shared ? statistics->times[i].ms : 0.0;
+    }
     return sum;
 }
 
 static bool run_once(render_frame *frame, const scenes_view *view, job *j, int run)
 {
-    j->row.statistics =
-        (render_statistics){.triangles = view->scene->triangle_count, .lights = frame->light_count};
-    if (j->pipeline->run(frame, j->state, &j->row.statistics) != GPU_OK)
+    if (render_frame_run(frame, j->pipeline, j->state, &j->row.statistics) != GPU_OK)
         return failed(view, j->pipeline->id);
-    j->ms[run] = sum_of_times(&j->row.statistics);
+    j->ms[run] = sum_of_times(&j->row.statistics, false);
+    j->row.frame_ms = sum_of_times(&j->row.statistics, true);
     return true;
 }
 
@@ -93,7 +98,7 @@ static void add_row(scenes_table *table, const scenes_row *row)
     table->rows[table->count++] = *row;
 }
 
-/* Runs the job once more in the frame, so that the frame shows it, and compares. */
+/* What the frame shows now, compared. */
 static bool look_at(render_frame *frame, const scenes_view *view, job *j, float *light,
                     const float *truth, float *errors, scenes_look look, void *context)
 {

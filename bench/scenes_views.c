@@ -1,5 +1,4 @@
 /* scenes_views.c: every view at every size, on smooth and on detailed normals. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,11 +12,6 @@
 
 enum { MOST_PIPELINES = 32 };
 
-typedef struct gallery {
-    const char *folder; /* NULL: no pictures of this view */
-    float exposure;
-} gallery;
-
 /* Pipelines of which pictures are kept. */
 static const char *const shown[] = {"exact", "meder", "hull", "hull_lobe", "upsample4", NULL};
 
@@ -29,38 +23,29 @@ static bool is_shown(const char *id)
     return false;
 }
 
-/* The same for all pipelines of a view: the mean of the true image becomes a middle grey. */
-static float exposure_of(const float *image, size_t pixels)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < pixels; i++)
-        sum += (double)image[4 * i] + (double)image[4 * i + 1] + (double)image[4 * i + 2];
-    return sum > 0.0 ? (float)(0.25 * 3.0 * (double)pixels / sum) : 1.0f;
-}
-
 static bool picture(void *context, render_frame *frame, const scenes_row *row, const float *light,
                     const float *truth, const float *errors)
 {
-    gallery *g = context;
+    const char *folder = context; /* NULL: no pictures of this view */
     (void)light;
-    if (!g->folder || !is_shown(row->pipeline))
+    if (!folder || !is_shown(row->pipeline))
         return true;
     size_t pixels = (size_t)row->width * row->height;
     float *image = base_allocate(4 * pixels * sizeof *image + 1);
     char name[3 * SCENES_NAME];
     snprintf(name, sizeof name, "%s_%s.png", row->scene, row->pipeline);
-    char *path = base_join(g->folder, name);
+    char *path = base_join(folder, name);
     bool truth_itself = strcmp(row->pipeline, "exact") == 0;
-    bool good = render_resolve(frame) == GPU_OK && gpu_image_read(frame->image, image) == GPU_OK;
+    bool good = gpu_image_read(frame->image, image) == GPU_OK;
     if (!good)
         base_error("%s: %s", path, gpu_last_error());
-    if (good && truth_itself)
-        g->exposure = exposure_of(image, pixels);
-    good = good && png_write_linear(path, (int)row->width, (int)row->height, image, 4, g->exposure);
+    for (size_t i = 0; good && i < 4 * pixels; i++)
+        image[i] = render_tone(frame->gain, image[i]);
+    good = good && png_write_linear(path, (int)row->width, (int)row->height, image, 4, 1.0f);
     free(path);
     if (good && !truth_itself) {
         snprintf(name, sizeof name, "%s_%s_errors.png", row->scene, row->pipeline);
-        path = base_join(g->folder, name);
+        path = base_join(folder, name);
         good = scenes_write_errors(path, row->width, row->height, errors, truth);
         free(path);
     }
@@ -76,7 +61,7 @@ static void all_pipelines(const char *ids[MOST_PIPELINES])
     ids[count] = NULL;
 }
 
-static bool one_scene(const scenes_plan *plan, const char *path, const char *pictures,
+static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
                       scenes_table *table, base_progress *progress)
 {
     static const uint32_t sizes[][2] = {{1280, 720}, {2560, 1440}};
@@ -89,10 +74,10 @@ static bool one_scene(const scenes_plan *plan, const char *path, const char *pic
     bool good = true;
     for (int s = 0; s < size_count && good; s++)
         for (int detailed = 0; detailed < 2 && good; detailed++) {
-            gallery g = {s == 0 && !detailed ? pictures : NULL, 1.0f};
+            bool shows = s == 0 && !detailed;
             scenes_view view = {plan->device, &scene,        scene.name, sizes[s][0],
                                 sizes[s][1],  detailed != 0, NULL,       s == 0 ? 3 : 1};
-            good = scenes_measure(&view, ids, picture, &g, table);
+            good = scenes_measure(&view, ids, picture, shows ? pictures : NULL, table);
             base_progress_step(progress, scene.name);
         }
     render_scene_free(&scene);

@@ -103,6 +103,21 @@ void render_frame_destroy(render_frame *frame)
     *frame = (render_frame){0};
 }
 
+gpu_status render_frame_run(render_frame *frame, const render_pipeline *pipeline, void *state,
+                            render_statistics *statistics)
+{
+    *statistics = frame->made;
+    gpu_step clear = {.name = "clear", .clear = frame->light};
+    gpu_status status = gpu_run(frame->device, &clear, 1, NULL);
+    if (status == GPU_OK)
+        status = pipeline->run(frame, state, statistics);
+    if (status == GPU_OK)
+        status = resolve_run(frame, statistics);
+    statistics->ground_truth_evaluations =
+        (statistics->pixels_covered + statistics->pixels_uncovered) * statistics->lights;
+    return status;
+}
+
 gpu_status render_frame_light(render_frame *frame, const render_pipeline *pipeline,
                               const char *dump, bool *dumped, render_statistics *statistics)
 {
@@ -110,17 +125,10 @@ gpu_status render_frame_light(render_frame *frame, const render_pipeline *pipeli
     if (dumped)
         *dumped = true;
     void *state = NULL;
-    gpu_step clear = {.name = "clear", .clear = frame->light};
     gpu_status status = pipeline->create(frame, &state);
     if (status != GPU_OK)
         return status;
-    status = gpu_run(frame->device, &clear, 1, NULL);
-    if (status == GPU_OK)
-        status = pipeline->run(frame, state, statistics);
-    if (status == GPU_OK)
-        status = resolve_run(frame, statistics);
-    statistics->ground_truth_evaluations =
-        (statistics->pixels_covered + statistics->pixels_uncovered) * statistics->lights;
+    status = render_frame_run(frame, pipeline, state, statistics);
     if (status == GPU_OK && dump && pipeline->dump) {
         bool written = pipeline->dump(frame, state, dump);
         if (dumped)

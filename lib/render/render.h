@@ -111,6 +111,11 @@ const render_pipeline *render_pipeline_find(const char *id); /* NULL: unknown */
 gpu_status render_run(render_frame *frame, const gpu_step *steps, int count,
                       render_statistics *statistics);
 
+/* One frame by a pipeline that was created for it: clears frame->light, runs it and resolves into
+ * frame->image. The statistics start as frame->made. */
+gpu_status render_frame_run(render_frame *frame, const render_pipeline *pipeline, void *state,
+                            render_statistics *statistics);
+
 /* All of it for one pipeline: creates it, clears frame->light, runs it, resolves into frame->image
  * and destroys it. The statistics start as frame->made. dump: folder for the images of the stages;
  * NULL: none; *dumped tells (where not NULL) if that worked. */
