@@ -22,7 +22,7 @@ typedef struct scenes_row {
                                 percentile */
     double lighting_ms;      /* all passes of the pipeline, median of the runs */
     double truth_ms;         /* the same of `exact`, in the same interleaved runs */
-    double frame_ms;    /* what every pipeline shares: G-buffer, shadow map, albedo */
+    double frame_ms;         /* what every pipeline shares: G-buffer, shadow map, albedo */
 } scenes_row;
 
 typedef struct scenes_table {
@@ -39,6 +39,7 @@ typedef struct scenes_view {
     bool detailed;
     const char *method; /* NULL: the renderer's default */
     int runs;           /* interleaved: every pipeline once, then every pipeline again */
+    bool truth_once;    /* `exact`, which takes long, only in the first of them */
 } scenes_view;
 
 /* Called once a pipeline, `exact` first, with what it made: 4 floats a pixel. The frame holds the

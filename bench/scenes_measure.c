@@ -110,7 +110,13 @@ static bool look_at(render_frame *frame, const scenes_view *view, job *j, float 
     return !look || look(context, frame, &j->row, light, truth, errors);
 }
 
-/* The last round looks at each pipeline while the frame holds what it made. */
+static bool keep_truth(render_frame *frame, const scenes_view *view, float *truth)
+{
+    return gpu_image_read(frame->light, truth) == GPU_OK || failed(view, "exact");
+}
+
+/* The first round keeps the truth, the last one looks at each pipeline while the frame holds what
+ * it made. */
 static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, size_t count,
                     scenes_look look, void *context)
 {
@@ -119,18 +125,18 @@ static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, siz
           *light = base_allocate((pixels + 1) * 4 * sizeof *light),
           *errors = base_allocate((pixels + 1) * sizeof *errors);
     int runs = view->runs < 1 ? 1 : view->runs > MOST_RUNS ? MOST_RUNS : view->runs;
+    int truth_runs = view->truth_once ? 1 : runs;
     bool good = true;
     for (int run = 0; run < runs && good; run++)
-        for (size_t i = 0; i < count && good; i++) {
+        for (size_t i = run < truth_runs ? 0 : 1; i < count && good; i++) {
             good = run_once(frame, view, &jobs[i], run);
-            if (good && run == runs - 1 && i == 0)
-                good = gpu_image_read(frame->light, truth) == GPU_OK ||
-                       failed(view, jobs[i].pipeline->id);
-            if (good && run == runs - 1)
+            if (good && run == 0 && i == 0)
+                good = keep_truth(frame, view, truth);
+            if (good && run == (i == 0 ? truth_runs : runs) - 1)
                 good = look_at(frame, view, &jobs[i], light, truth, errors, look, context);
         }
     for (size_t i = 0; i < count && good; i++) {
-        jobs[i].row.lighting_ms = median(jobs[i].ms, runs);
+        jobs[i].row.lighting_ms = median(jobs[i].ms, i == 0 ? truth_runs : runs);
         jobs[i].row.truth_ms = jobs[0].row.lighting_ms;
     }
     free(truth);
@@ -171,7 +177,7 @@ bool scenes_measure(const scenes_view *view, const char *const *pipelines, scene
     size_t count = 1;
     bool good = start(&frame, view, "exact", &jobs[0]);
     for (; good && *pipelines && count < MOST_PIPELINES; pipelines++)
-        if (strcmp(*pipelines, "exact") != 0)
+        if (strcmp(*pipelines, "exact") != 0 && render_pipeline_find(*pipelines))
             good = start(&frame, view, *pipelines, &jobs[count++]);
     good = good && run_all(&frame, view, jobs, count, look, context);
     for (size_t i = 0; i < count; i++) {
