@@ -2,6 +2,7 @@
  * believes nothing that comes back. */
 #include "mesh.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -83,8 +84,15 @@ static void close_all_but(int pipe)
     int nowhere = open("/dev/null", O_RDWR);
     for (int file = 0; file <= 2; file++)
         dup2(nowhere, file);
-    long most = sysconf(_SC_OPEN_MAX);
-    for (int file = 3; file < (most > 0 && most < 65536 ? most : 65536); file++)
+    int most = 2;
+    DIR *folder = opendir("/proc/self/fd");
+    for (struct dirent *entry; folder && (entry = readdir(folder)) != NULL;)
+        most = atoi(entry->d_name) > most ? atoi(entry->d_name) : most;
+    if (folder)
+        closedir(folder);
+    else
+        most = 1024;
+    for (int file = 3; file <= most; file++)
         if (file != pipe)
             close(file);
     signal(SIGPIPE, SIG_DFL);

@@ -13,7 +13,7 @@ typedef struct mesh {
     size_t vertex_count, triangle_count, material_count;
     size_t left_out;     /* faces that are points or lines */
     float *positions;    /* 3 a vertex, the file's transforms of nodes applied; may be NaN */
-    float *normals;      /* 3 a vertex; not always of length 1, may be NaN */
+    float *normals;      /* 3 a vertex; not always of length 1, may be NaN; 0 where there is none */
     uint32_t *indices;   /* 3 a triangle, below vertex_count */
     uint32_t *materials; /* 1 a triangle, below material_count */
     float *albedos;      /* 3 a material, linear, in [0, 1] */
@@ -24,8 +24,7 @@ typedef struct mesh_limits {
     uint64_t memory; /* bytes beyond what this process has; 0 counts as 4 GiB */
 } mesh_limits;
 
-/* Vertices without normals get smooth ones, with edges where faces meet at more than 60 degrees.
- * Albedo is the material's diffuse or base colour, taken as linear, times the mean of its texture
+/* Albedo is the material's diffuse or base colour, taken as linear, times the mean of its texture
  * where that is a PNG that can be read (sRGB to linear, weighted by alpha); 0.6 where a file has
  * no materials. Where FILE.materials.tsv stands beside FILE.obj, its albedos win: a header line,
  * then a line a material in the order of the file, tab-separated; the columns are those named

@@ -12,47 +12,51 @@
 
 enum { LARGEST_SIDE = 1 << 14 };
 
-/* Mean colour, linear and weighted by alpha. */
-static bool mean_of_png(png_image *image, double mean[3])
-{
-    bool good = image->width <= LARGEST_SIDE && image->height <= LARGEST_SIDE;
-    uint16_t *pixels = NULL;
-    if (good) {
-        image->format = PNG_FORMAT_LINEAR_RGB_ALPHA; /* libpng multiplies colours by alpha then */
-        pixels = base_allocate(PNG_IMAGE_SIZE(*image));
-        good = png_image_finish_read(image, NULL, pixels, 0, NULL) != 0;
-    }
-    double sum[4] = {0};
-    size_t count = (size_t)image->width * (size_t)image->height;
-    for (size_t i = 0; good && i < 4 * count; i++)
-        sum[i % 4] += (double)pixels[i];
-    for (int c = 0; c < 3; c++)
-        mean[c] = sum[3] > 0 ? sum[c] / sum[3] : 0;
-    free(pixels);
-    png_image_free(image);
-    return good && sum[3] > 0;
-}
-
 static double linear_of(uint8_t encoded)
 {
     double x = encoded / 255.0;
     return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
 }
 
-static bool mean_of_texels(const struct aiTexture *texture, double mean[3])
+/* Mean colour of sRGB texels of 4 bytes, linear and weighted by alpha; order: where red, green,
+ * blue and alpha stand. False where nothing is opaque. */
+static bool mean_of_bytes(const uint8_t *texels, size_t count, const int order[4], double mean[3])
 {
-    double sum[4] = {0};
-    size_t count = (size_t)texture->mWidth * (size_t)texture->mHeight;
+    double linear[256], sum[4] = {0};
+    for (int i = 0; i < 256; i++)
+        linear[i] = linear_of((uint8_t)i);
     for (size_t i = 0; i < count; i++) {
-        const struct aiTexel *texel = &texture->pcData[i];
-        sum[0] += texel->a * linear_of(texel->r);
-        sum[1] += texel->a * linear_of(texel->g);
-        sum[2] += texel->a * linear_of(texel->b);
-        sum[3] += texel->a;
+        double alpha = texels[4 * i + (size_t)order[3]];
+        for (int c = 0; c < 3; c++)
+            sum[c] += alpha * linear[texels[4 * i + (size_t)order[c]]];
+        sum[3] += alpha;
     }
     for (int c = 0; c < 3; c++)
         mean[c] = sum[3] > 0 ? sum[c] / sum[3] : 0;
     return sum[3] > 0;
+}
+
+static bool mean_of_png(png_image *image, double mean[3])
+{
+    static const int order[4] = {0, 1, 2, 3};
+    bool good = image->width <= LARGEST_SIDE && image->height <= LARGEST_SIDE;
+    uint8_t *pixels = NULL;
+    if (good) {
+        image->format = PNG_FORMAT_RGBA;
+        pixels = base_allocate(PNG_IMAGE_SIZE(*image));
+        good = png_image_finish_read(image, NULL, pixels, 0, NULL) != 0 &&
+               mean_of_bytes(pixels, (size_t)image->width * (size_t)image->height, order, mean);
+    }
+    free(pixels);
+    png_image_free(image);
+    return good;
+}
+
+static bool mean_of_texels(const struct aiTexture *texture, double mean[3])
+{
+    static const int order[4] = {2, 1, 0, 3};
+    return mean_of_bytes(&texture->pcData->b, (size_t)texture->mWidth * (size_t)texture->mHeight,
+                         order, mean);
 }
 
 static bool mean_of_texture(const struct aiScene *from, const char *name, const char *folder,

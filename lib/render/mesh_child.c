@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "base/buffer.h"
@@ -112,56 +113,36 @@ static void add_node(flat *out, const struct aiScene *from, const struct aiNode 
         add_node(out, from, node->mChildren[i], above, depth + 1);
 }
 
-/* What the header of a PLY file promises; 0 where it is none. Assimp takes a file that ends early
- * for a shorter one. */
-static uint64_t promised_faces(const char *path)
+static const struct aiScene *import(const char *path, int pipe)
 {
-    FILE *file = fopen(path, "rb");
-    char line[256];
-    uint64_t faces = 0;
-    if (file && fgets(line, sizeof line, file) && strncmp(line, "ply", 3) == 0)
-        while (fgets(line, sizeof line, file) && strncmp(line, "end_header", 10) != 0)
-            if (strncmp(line, "element face ", 13) == 0)
-                faces = strtoull(line + 13, NULL, 10);
-    if (file)
-        fclose(file);
-    return faces;
-}
-
-static const struct aiScene *import(const char *path)
-{
+    char why[MESH_WHY];
+    const char *dot = strrchr(path, '.');
+    if (dot && strcasecmp(dot, ".ply") == 0 && !mesh_ply_is_whole(path, why))
+        fail(pipe, why);
     struct aiPropertyStore *settings = aiCreatePropertyStore();
-    aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60);
     /* Only positions and normals make vertices different. */
     aiSetImportPropertyInteger(settings, AI_CONFIG_PP_RVC_FLAGS,
                                aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
                                    aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
                                    aiComponent_ANIMATIONS | aiComponent_LIGHTS |
                                    aiComponent_CAMERAS);
-    return aiImportFileExWithProperties(
-        path,
-        aiProcess_Triangulate | aiProcess_GenSmoothNormals | aiProcess_RemoveComponent |
-            aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure,
-        NULL, settings);
+    return aiImportFileExWithProperties(path,
+                                        aiProcess_Triangulate | aiProcess_RemoveComponent |
+                                            aiProcess_JoinIdenticalVertices |
+                                            aiProcess_ValidateDataStructure,
+                                        NULL, settings);
 }
 
 _Noreturn void mesh_child(const char *path, int pipe)
 {
     flat out = {.head = {.magic = MESH_MAGIC}};
-    const struct aiScene *from = import(path);
+    const struct aiScene *from = import(path, pipe);
     if (!from || !from->mRootNode)
         fail(pipe, aiGetErrorString());
     struct aiMatrix4x4 identity;
     aiIdentityMatrix4(&identity);
     add_node(&out, from, from->mRootNode, identity, 0);
 
-    uint64_t promised = promised_faces(path), found = out.head.triangles + out.head.left_out;
-    if (found < promised) {
-        char why[120];
-        snprintf(why, sizeof why, "%llu faces of the %llu that its header promises",
-                 (unsigned long long)found, (unsigned long long)promised);
-        fail(pipe, why);
-    }
     out.head.materials = from->mNumMaterials;
     send_bytes(pipe, &out.head, sizeof out.head);
     send_bytes(pipe, out.positions.text, out.positions.length);

@@ -3,6 +3,7 @@
 #define RENDER_MESH_CHILD_H
 
 #include <assimp/scene.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 /* First comes a head; where it says failed, a line of text without NUL follows to the end; else
@@ -15,6 +16,10 @@ typedef struct mesh_head {
 
 /* Reads the file and writes to the pipe. Never returns. */
 _Noreturn void mesh_child(const char *path, int pipe);
+
+/* False, with the reason as text, where the file ends before what its header promises. */
+enum { MESH_WHY = 120 };
+bool mesh_ply_is_whole(const char *path, char why[MESH_WHY]);
 
 /* Linear base colour of a material of a file in this folder ("" or with its slash). */
 void mesh_albedo(const struct aiScene *from, const struct aiMaterial *material, const char *folder,

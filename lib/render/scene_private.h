@@ -20,8 +20,8 @@ typedef struct scene_where {
 bool scene_refuse(const scene_where *where, const char *key, const char *expected,
                   const cJSON *found);
 
-/* An absent key leaves the value as it is; given: where not NULL, whether it was there. False after
- * one line where it is anything but a number in [low, high]. */
+/* An absent key leaves the value as it is; False after one line where it is anything but a number
+ * in [low, high]. */
 bool scene_number(const cJSON *object, const scene_where *where, const char *key,
                   const char *expected, double low, double high, double *value);
 
@@ -59,9 +59,30 @@ void scene_rotation(const double degrees[3], double rotation[3][3]);
 
 /* Adds a mesh, transformed; albedo: NULL, or instead of the materials'. Triangles without area or
  * with a corner that is not finite are left out and counted. Vertices that no triangle uses are
- * left out. Normals become unit; one that is none becomes the mean of its triangles'. */
+ * left out. Vertices without a normal get smooth ones, the mean of their triangles' weighted by
+ * area, with edges where triangles meet at more than 60 degrees. */
 bool scene_add_mesh(render_scene *scene, const mesh *from, const scene_transform *transform,
                     const double *albedo);
+
+/* A mesh on its way: transformed, its triangles chosen. */
+typedef struct made_vertex {
+    uint32_t vertex; /* whose position this is */
+    float normal[3];
+} made_vertex;
+
+typedef struct moved_mesh {
+    size_t vertex_count, triangle_count, made_count;
+    float *positions, *normals;    /* of vertex_count; normals of length 1, or 0: none */
+    uint32_t *corners, *materials; /* of the triangles that stay, below vertex_count */
+    uint32_t *indices;             /* of the same corners, below made_count */
+    made_vertex *made;             /* room for one a corner */
+} moved_mesh;
+
+/* Fills made and indices. False without memory. */
+bool scene_make_vertices(moved_mesh *m);
+
+/* Twice the area, as a vector; false where the triangle is none that can be drawn. */
+bool scene_triangle_area(const float *positions, const uint32_t corners[3], double area[3]);
 
 /* ---- Vectors ------------------------------------------------------------------------------------
  */
