@@ -58,6 +58,18 @@ static void add_coefficients(cJSON *object, const char *key, const recipe_way *w
     }
 }
 
+static void add_later(cJSON *object, const recipe_way *way)
+{
+    cJSON *list = NULL;
+    for (size_t i = 0; i < way->coefficient_count; i++) {
+        if (!way->coefficients[i].later)
+            continue;
+        if (!list)
+            list = cJSON_AddArrayToObject(object, "later");
+        cJSON_AddItemToArray(list, cJSON_CreateString(way->coefficients[i].name));
+    }
+}
+
 static void add_solvers(cJSON *object, const recipe_way *way, const way_result *result)
 {
     cJSON *list = cJSON_AddArrayToObject(object, "solvers");
@@ -160,6 +172,7 @@ cJSON *provenance_of(const constants_set *set, const recipe *r, const recipe_res
     } else {
         add_coefficients(p, "start", &r->way, true);
         add_coefficients(p, "fixed", &r->way, false);
+        add_later(p, &r->way);
         base_json_add_f64(p, "seed", (double)r->seed);
         base_json_add_f64(p, "samples", (double)result->own.samples);
     }

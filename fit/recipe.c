@@ -23,9 +23,10 @@ bool recipe_object(const recipe *r, const char *key, const cJSON *value, const c
 static bool read_kind(recipe *r)
 {
     static const char *const common[] = {
-        "id",        "title",     "kind",  "form",   "quantity", "domain", "grid",
-        "weights",   "objective", "start", "fixed",  "bounds",   "seed",   "iterations",
-        "tolerance", "published", "tried", "writes", "bars",     "note",   NULL};
+        "id",   "title",      "kind",      "form",      "quantity", "domain",
+        "grid", "weights",    "objective", "start",     "fixed",    "bounds",
+        "seed", "iterations", "tolerance", "published", "tried",    "writes",
+        "bars", "note",       "later",     NULL};
     static const char *const curve[] = {"id",     "title",   "kind",       "curve",     "domain",
                                         "grid",   "weights", "objective",  "start",     "fixed",
                                         "bounds", "seed",    "iterations", "tolerance", "published",
@@ -147,8 +148,8 @@ static bool read_published(recipe *r)
     if (r->kind == RECIPE_ROOT) {
         way->coefficient_count = 2;
         for (size_t i = 0; i < 2; i++)
-            way->coefficients[i] =
-                (recipe_coefficient){root_names[i], true, NAN, -INFINITY, INFINITY, NAN, NAN, NULL};
+            way->coefficients[i] = (recipe_coefficient){root_names[i], true, NAN, false, -INFINITY,
+                                                        INFINITY,      NAN,  NAN, NULL};
     }
     if (!published)
         return true;

@@ -9,8 +9,11 @@
  * form, curve  which one (shaders/forms, fit/curve.c)
  * quantity     of a form: "L" or "A_h" is what residuals are of
  * domain       {"lambda": [from, to], "beta": [from, to] in degrees}
- * grid         {"lambda": {"spacing": "log", "sqrt" or "linear", "count": n},
- *               "angle": {"spacing": "beta" or "cos_theta", "count": n}}
+ * grid         {"lambda": {"spacing": "log", "sqrt", "linear" or "shifted_log", "count": n},
+ *               "angle": {"spacing": "beta", "cos_theta" or "terminator", "count": n}}.
+ *               "shifted_log" is even in log(lambda + 2): few where nothing depends on lambda yet.
+ *               "terminator", of a form and all angles: where L bends, |cos_theta| up to
+ *               5.5/sqrt(lambda) or 1, denser towards 0 and that end, and the poles
  * weights      "uniform", or {"lambda": p, "value": q}: residuals times lambda^p value^q; or
  *              {"absolute": a, "relative": r, "down_to": v}, of a form: residuals over what is
  *              allowed there, a or r times the value, whichever is less; below v not at all
@@ -18,6 +21,8 @@
  * start        coefficients that are fitted, and where from
  * fixed        coefficients that are held
  * bounds       {coefficient: [low, high]}
+ * later        [coefficient], of a form: held at their start in a first least-squares fit, from
+ *              which the fit of all then begins; for forms that extend a smaller one
  * seed, iterations   of the solvers
  * tolerance    {"solver": relative step at which one may stop,
  *               "agreement": largest relative difference between the two solvers,
@@ -55,8 +60,10 @@ typedef enum recipe_spacing {
     SPACING_LOG,
     SPACING_SQRT,
     SPACING_LINEAR,
+    SPACING_SHIFTED,
     SPACING_BETA,
-    SPACING_COS
+    SPACING_COS,
+    SPACING_TERMINATOR
 } recipe_spacing;
 
 typedef struct recipe_axis {
@@ -70,6 +77,7 @@ typedef struct recipe_coefficient {
     const char *name;
     bool free;
     double value; /* start or fixed */
+    bool later;   /* held in a first fit of the others */
     double lower, upper;
     double bar;        /* of the published constant; NAN where none is given */
     double beside;     /* another print of it; NAN where there is none */
@@ -123,5 +131,10 @@ bool recipe_object(const recipe *r, const char *key, const cJSON *value, const c
 /* recipe_way.c: reads what a way may say, over what is in it already. is_whole: every part must
  * be there. */
 bool recipe_read_way(recipe *r, const cJSON *object, recipe_way *way, bool is_whole);
+
+/* recipe_coefficients.c: the names of the form's or curve's coefficients, nothing known of them;
+ * and what object says of them, over what is in the way already. */
+void recipe_name_coefficients(const recipe *r, recipe_way *way);
+bool recipe_read_coefficients(const recipe *r, const cJSON *object, recipe_way *way);
 
 #endif

@@ -55,12 +55,42 @@ static void solve_squares(const recipe *r, fit_problem *problem, bool both, way_
     free(raw);
 }
 
+/* The first fit of a way some of whose coefficients join later: its result becomes the problem's
+ * start. False where there is no finite one. */
+static bool begin_with_fewer(const recipe *r, const recipe_way *way, fit_problem *problem,
+                             fit_result *first)
+{
+    recipe_way fewer = *way;
+    way_context context;
+    fit_problem small;
+    fit_options options = {r->solver_tolerance, r->iterations, r->seed};
+    for (size_t i = 0; i < fewer.coefficient_count; i++)
+        fewer.coefficients[i].free = fewer.coefficients[i].free && !fewer.coefficients[i].later;
+    bool good = recipe_samples(r, &fewer, &context, &small);
+    if (good) {
+        fit_solve_ceres(&small, &options, first);
+        good = first->usable;
+        size_t from = 0, to = 0;
+        for (size_t i = 0; i < way->coefficient_count; i++) {
+            if (fewer.coefficients[i].free)
+                problem->start[to] = first->parameters[from++];
+            to += way->coefficients[i].free;
+        }
+    }
+    fit_problem_free(&small);
+    return good;
+}
+
 static void run_way(const recipe *r, const recipe_way *way, bool both, way_result *out)
 {
     way_context context;
     fit_problem problem;
     fit_options options = {r->solver_tolerance, r->iterations, r->seed};
-    if (recipe_samples(r, way, &context, &problem)) {
+    bool staged = false;
+    for (size_t i = 0; i < way->coefficient_count; i++)
+        staged = staged || way->coefficients[i].later;
+    if (recipe_samples(r, way, &context, &problem) &&
+        (!staged || begin_with_fewer(r, way, &problem, &out->solvers[0]))) {
         out->samples = problem.sample_count;
         if (way->objective == RECIPE_MINIMAX) {
             fit_solve_minimax(&problem, &options, &out->solvers[0]);

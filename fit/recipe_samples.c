@@ -6,6 +6,8 @@
 
 static const double pi = 3.14159265358979323846;
 
+static const double shift = 1.0; /* of "shifted_log" */
+
 double recipe_axis_at(const recipe_axis *axis, size_t index)
 {
     double part = (double)index / (double)(axis->count - 1), from = axis->from, to = axis->to;
@@ -22,6 +24,8 @@ double recipe_axis_at(const recipe_axis *axis, size_t index)
     }
     case SPACING_LINEAR:
         return from + (to - from) * part;
+    case SPACING_SHIFTED:
+        return (from + shift) * pow((to + shift) / (from + shift), part) - shift;
     case SPACING_BETA:
         return (from + (to - from) * part) / 180.0 * pi;
     default: {
@@ -31,9 +35,21 @@ double recipe_axis_at(const recipe_axis *axis, size_t index)
     }
 }
 
-/* Exact at right angles, where the rounding of pi would leave 6e-17. */
-static double cosine_at(const recipe_axis *axis, size_t index)
+/* Beyond 5.5/sqrt(lambda) from the terminator L is max(cos_theta, 0) (1 - 1/lambda) to 1e-7. */
+static double near_terminator(const recipe_axis *axis, size_t index, double lambda)
 {
+    double part = 2.0 * (double)index / (double)(axis->count - 1) - 1.0, away = fabs(part);
+    if (index == 0 || index == axis->count - 1)
+        return -part;
+    double blend = 0.5 * away + 0.25 * (1.0 - cos(pi * away));
+    return -copysign(fmin(1.0, 5.5 / sqrt(lambda)) * blend, part);
+}
+
+/* Exact at right angles, where the rounding of pi would leave 6e-17. */
+static double cosine_at(const recipe_axis *axis, size_t index, double lambda)
+{
+    if (axis->spacing == SPACING_TERMINATOR)
+        return near_terminator(axis, index, lambda);
     if (axis->spacing == SPACING_COS) {
         double start = cos(axis->from / 180.0 * pi), end = cos(axis->to / 180.0 * pi);
         return start + (end - start) * (double)index / (double)(axis->count - 1);
@@ -94,7 +110,9 @@ static bool form_samples(const recipe *r, const recipe_way *way, fit_problem *pr
         double *target = problem->target + i * angles;
         for (size_t j = 0; j < angles; j++) {
             row[j] = lambda;
-            beta[j] = recipe_axis_at(&way->angle, j);
+            beta[j] = way->angle.spacing == SPACING_TERMINATOR
+                          ? acos(near_terminator(&way->angle, j, lambda))
+                          : recipe_axis_at(&way->angle, j);
         }
         sg_A_h_batch(angles, row, beta, target);
         for (size_t j = 0; j < angles; j++) {
@@ -104,7 +122,7 @@ static bool form_samples(const recipe *r, const recipe_way *way, fit_problem *pr
             double value = target[j] / wanted;
             target[j] /= native;
             problem->lambda[k] = lambda;
-            problem->cos_theta[k] = cosine_at(&way->angle, j);
+            problem->cos_theta[k] = cosine_at(&way->angle, j, lambda);
             problem->scale[k] = native / wanted * weight(way, lambda, value);
         }
     }
@@ -120,7 +138,7 @@ bool recipe_steepness(const recipe *r, const recipe_way *way, double *lambda, do
     if (!cosines)
         return false;
     for (size_t j = 0; j < angles; j++)
-        cosines[j] = cosine_at(&way->angle, j);
+        cosines[j] = cosine_at(&way->angle, j, 0.0);
     for (size_t j = 0; j < r->curve->tied_count; j++)
         tied[j] = way->coefficients[r->curve->count + j].value;
     for (size_t i = 0; i < way->lambda.count; i++) {

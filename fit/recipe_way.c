@@ -6,7 +6,8 @@
 #include "base/text.h"
 #include "fit/recipe.h"
 
-static const char *const spacing_names[] = {"log", "sqrt", "linear", "beta", "cos_theta"};
+static const char *const spacing_names[] = {"log",  "sqrt",      "linear",    "shifted_log",
+                                            "beta", "cos_theta", "terminator"};
 static const char *const objective_names[] = {"least_squares", "minimax", "root"};
 
 const char *recipe_spacing_name(recipe_spacing spacing)
@@ -100,8 +101,16 @@ static bool read_grid(const recipe *r, const cJSON *grid, recipe_way *way)
     static const char *const keys[] = {"lambda", "angle", NULL};
     if (!recipe_object(r, "grid", grid, keys) ||
         !read_axis(r, grid, "lambda", SPACING_LOG, SPACING_BETA, &way->lambda) ||
-        !read_axis(r, grid, "angle", SPACING_BETA, SPACING_COS + 1, &way->angle))
+        !read_axis(r, grid, "angle", SPACING_BETA, SPACING_TERMINATOR + (r->form ? 1 : 0),
+                   &way->angle))
         return false;
+    if (way->angle.spacing == SPACING_TERMINATOR &&
+        (way->angle.from != 0.0 || way->angle.to != 180.0)) {
+        base_error("%s: key \"grid.angle.spacing\": expected \"terminator\" only with "
+                   "\"domain.beta\" [0, 180]",
+                   r->path);
+        return false;
+    }
     if ((double)way->lambda.count * (double)way->angle.count <= 2e6)
         return true;
     base_error("%s: key \"grid\": expected at most 2e6 samples, found %zu times %zu", r->path,
@@ -141,95 +150,6 @@ static bool read_weights(const recipe *r, const cJSON *weights, recipe_way *way)
            (!get(weights, "value") ||
             base_json_f64(weights, r->path, "value", &way->weight_value)) &&
            (!get(weights, "absolute") || read_allowed(r, weights, way));
-}
-
-/* ---- Coefficients -------------------------------------------------------------------------- */
-
-static recipe_coefficient *find(recipe_way *way, const char *name)
-{
-    for (size_t i = 0; i < way->coefficient_count; i++)
-        if (strcmp(way->coefficients[i].name, name) == 0)
-            return &way->coefficients[i];
-    return NULL;
-}
-
-static bool read_values(const recipe *r, const cJSON *object, const char *key, bool is_free,
-                        recipe_way *way)
-{
-    if (!cJSON_IsObject(object)) {
-        base_error("%s: key \"%s\": expected an object of coefficients", r->path, key);
-        return false;
-    }
-    for (const cJSON *item = object->child; item; item = item->next) {
-        recipe_coefficient *c = find(way, item->string);
-        if (!c) {
-            base_error("%s: key \"%s.%.60s\": expected a coefficient of %s", r->path, key,
-                       item->string, r->form ? r->form->id : r->curve->id);
-            return false;
-        }
-        if (!base_json_f64(object, r->path, item->string, &c->value))
-            return false;
-        if (!isfinite(c->value)) {
-            base_error("%s: key \"%s.%s\": expected a finite number", r->path, key, item->string);
-            return false;
-        }
-        c->free = is_free;
-    }
-    return true;
-}
-
-static bool read_bounds(const recipe *r, const cJSON *bounds, recipe_way *way)
-{
-    if (!cJSON_IsObject(bounds)) {
-        base_error("%s: key \"bounds\": expected an object of [low, high]", r->path);
-        return false;
-    }
-    for (const cJSON *item = bounds->child; item; item = item->next) {
-        recipe_coefficient *c = find(way, item->string);
-        const cJSON *low = cJSON_GetArrayItem(item, 0), *high = cJSON_GetArrayItem(item, 1);
-        if (!c || !c->free || cJSON_GetArraySize(item) != 2 || !cJSON_IsNumber(low) ||
-            !cJSON_IsNumber(high) || !(low->valuedouble < high->valuedouble) ||
-            c->value < low->valuedouble || c->value > high->valuedouble) {
-            base_error(
-                "%s: key \"bounds.%.60s\": expected [low, high] around the start of a fitted "
-                "coefficient",
-                r->path, item->string);
-            return false;
-        }
-        c->lower = low->valuedouble;
-        c->upper = high->valuedouble;
-    }
-    return true;
-}
-
-static bool check_coefficients(const recipe *r, const recipe_way *way)
-{
-    size_t free_count = 0;
-    for (size_t i = 0; i < way->coefficient_count; i++) {
-        if (isnan(way->coefficients[i].value)) {
-            base_error("%s: key \"start\": expected the coefficient \"%s\" here or in \"fixed\"",
-                       r->path, way->coefficients[i].name);
-            return false;
-        }
-        free_count += way->coefficients[i].free;
-    }
-    if (free_count == 0)
-        base_error("%s: key \"start\": expected at least one coefficient", r->path);
-    return free_count > 0;
-}
-
-static void name_coefficients(const recipe *r, recipe_way *way)
-{
-    size_t own = r->form ? (size_t)r->form->coefficient_count : r->curve->count;
-    size_t count = own + (r->form ? 0 : r->curve->tied_count);
-    way->coefficient_count = count;
-    for (size_t i = 0; i < count; i++) {
-        const char *name = r->form   ? r->form->coefficient_names[i]
-                           : i < own ? r->curve->names[i]
-                                     : r->curve->tied_names[i - own];
-        way->coefficients[i] =
-            (recipe_coefficient){name, false, NAN, -INFINITY, INFINITY, NAN, NAN, NULL};
-    }
 }
 
 /* ---- All of it ----------------------------------------------------------------------------- */
@@ -273,7 +193,7 @@ bool recipe_read_way(recipe *r, const cJSON *object, recipe_way *way, bool is_wh
     const cJSON *item;
     bool root = r->kind == RECIPE_ROOT;
     if (is_whole && !root)
-        name_coefficients(r, way);
+        recipe_name_coefficients(r, way);
     if (!part(r, object, "domain", is_whole, &item) || (item && !read_domain(r, item, way)) ||
         !part(r, object, "objective", is_whole, &item) || (item && !read_objective(r, object, way)))
         return false;
@@ -282,12 +202,7 @@ bool recipe_read_way(recipe *r, const cJSON *object, recipe_way *way, bool is_wh
     if (!part(r, object, "grid", is_whole, &item) || (item && !read_grid(r, item, way)) ||
         !part(r, object, "weights", is_whole, &item) || (item && !read_weights(r, item, way)) ||
         !part(r, object, "quantity", is_whole && r->form, &item) ||
-        (item && !read_quantity(r, object, way)) || !part(r, object, "start", is_whole, &item) ||
-        (item && !read_values(r, item, "start", true, way)))
+        (item && !read_quantity(r, object, way)) || !part(r, object, "start", is_whole, &item))
         return false;
-    item = get(object, "fixed");
-    if (item && !read_values(r, item, "fixed", false, way))
-        return false;
-    item = get(object, "bounds");
-    return (!item || read_bounds(r, item, way)) && check_coefficients(r, way);
+    return recipe_read_coefficients(r, object, way);
 }

@@ -36,16 +36,17 @@
 //   tokuyoshi_2022_stable        3.69e-03   5.57e-04  384        Hemispherical Gaussians, error function, stable
 //   tokuyoshi_2024               1.28e-03   1.94e-04  219        Planar Gaussian between the poles
 //   tokuyoshi_2024_stable        1.28e-03   1.94e-04  202        Planar Gaussian between the poles, stable
-//   brisk                        4.79e-04   2.40e-04  47         Root over a Gaussian bell, one term
-//   fine                         5.28e-07   1.96e-07  94         Root over a Gaussian bell, five terms
+//   brisk                        4.80e-04   2.40e-04  47         Root over a Gaussian bell, one term
+//   fine                         5.77e-07   1.89e-07  94         Root over a Gaussian bell, five terms
 //   logistic_minimax             6.61e-04   1.36e-04  108        Logistic with the exact limits, minimax
 //   logistic_refit               7.33e-04   1.15e-04  108        Logistic with the exact limits, least squares
 //   meder_2018_minimax           2.31e-03   5.21e-04  97         Logistic between the poles, minimax
 //   meder_2018_refit             2.91e-03   4.70e-04  97         Logistic between the poles, least squares
-//   medium                       9.82e-05   3.09e-05  53         Root over a Gaussian bell, two terms
-//   positive                     5.05e-04   2.56e-04  76         Root with a true tail
-//   quick                        9.99e-04   5.10e-04  46         Root over a quartic bell
-//   standard                     8.98e-06   4.32e-06  71         Root over a Gaussian bell, three terms
+//   medium                       9.83e-05   3.09e-05  53         Root over a Gaussian bell, two terms
+//   positive                     5.03e-04   2.30e-04  76         Root with a true tail
+//   quick                        9.95e-04   5.11e-04  46         Root over a quartic bell
+//   split                        1.01e-05   3.89e-06  71         Root over a Gaussian bell in cos_theta
+//   standard                     6.71e-06   3.93e-06  71         Root over a Gaussian bell, three terms
 //   tokuyoshi_2022_minimax       2.88e-03   5.92e-04  384        Hemispherical Gaussians, error function, minimax
 //   tokuyoshi_2022_refit         2.98e-03   4.78e-04  384        Hemispherical Gaussians, error function, least squares
 //   tokuyoshi_2024_minimax       1.19e-03   2.33e-04  202        Planar Gaussian between the poles, minimax
@@ -977,8 +978,8 @@ float sg_A_h_tokuyoshi_2024_stable(float lambda, float cos_theta)
 // sg_L_brisk returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 0.000479 at lambda 2.069, beta 0.754 (cos_theta 0.729); RMSE 0.00024
-//   double  max 0.000479 at lambda 2.069, beta 0.754 (cos_theta 0.729); RMSE 0.00024
+//   float   max 0.00048 at lambda 2.154, beta 0.7917 (cos_theta 0.7026); RMSE 0.00024
+//   double  max 0.00048 at lambda 2.154, beta 0.7885 (cos_theta 0.7049); RMSE 0.00024
 // Cost on navi21: L 21 instructions, inverse throughput 7; A_h 47 instructions, inverse throughput
 //   38
 // Source: sgfit fit brisk (fit/recipes/brisk.json)
@@ -992,13 +993,13 @@ float sg_A_h_tokuyoshi_2024_stable(float lambda, float cos_theta)
 // coefficients are such as a GPU has for free.
 float sg_L_brisk(float lambda, float cos_theta)
 {
-    const float b = 8.663574410450849;
-    const float m1 = -0.503990227883682;
-    const float m2 = 2.06874572283357;
-    const float e0 = 0.15619615828701097;
-    const float e1 = -0.08679463094521447;
-    const float k0 = 0.7307090840328025;
-    const float a0 = -0.16013565384060532;
+    const float b = 8.661933449032052;
+    const float m1 = -0.5039835787380085;
+    const float m2 = 2.068290496776696;
+    const float e0 = 0.15620046990811134;
+    const float e1 = -0.08688166435638058;
+    const float k0 = 0.7306885201624123;
+    const float a0 = -0.1600776113667497;
     float l = min(lambda, 1e18);
     float s = inversesqrt(l * l + b);
     float a = l * cos_theta;
@@ -1022,11 +1023,12 @@ float sg_A_h_brisk(float lambda, float cos_theta)
 // sg_L_fine returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 5.28e-07 at lambda 3.643, beta 0.2168 (cos_theta 0.9766); RMSE 1.96e-07
-//   double  max 4.22e-07 at lambda 1.438, beta 0.377 (cos_theta 0.9298); RMSE 1.91e-07
+//   float   max 5.77e-07 at lambda 16.24, beta 0.8011 (cos_theta 0.6959); RMSE 1.89e-07
+//   double  max 4.49e-07 at lambda 3.643, beta 0 (cos_theta 1); RMSE 1.86e-07
 // Cost on navi21: L 68 instructions, inverse throughput 83; A_h 94 instructions, inverse throughput
 //   116
-// Source: fit/recipes/fine.json
+// Source: sgfit fit fine (fit/recipes/fine.json)
+// Made by: sgfit fit fine
 // Form root_bell_5: half the odd part and a root, over a Gaussian bell with five terms. With p = z
 // m / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L, exactly) and t = T (T + 2 |p|), T
 // = L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds, and t is an even analytic function
@@ -1037,53 +1039,53 @@ float sg_A_h_brisk(float lambda, float cos_theta)
 // vanished long before.
 float sg_L_fine(float lambda, float cos_theta)
 {
-    const float b = 9.761636964648382;
-    const float b1 = 35.043123381085195;
-    const float b2 = 29.991027724301887;
-    const float m1 = -0.499936325630217;
-    const float m2 = 2.433988523149283;
-    const float m3 = -4.676321256803856;
-    const float m4 = 24.04920825965797;
-    const float m5 = -56.28274453395767;
-    const float m6 = 51.794914333006155;
-    const float e0 = 0.15916276525444878;
-    const float e1 = -0.12016977598655236;
-    const float e2 = 0.7840798689409472;
-    const float e3 = -1.404542448310484;
-    const float e4 = 8.824091928776845;
-    const float e5 = -15.697735906976781;
-    const float e6 = 15.590386725481782;
-    const float k0 = 0.7452425403233238;
-    const float k1 = -2.2974123232219754;
-    const float k2 = -3.178687459467402;
-    const float k3 = 5.346989056045107;
-    const float k4 = 83.17874867098665;
-    const float k5 = -262.71198305238545;
-    const float k6 = 233.78328672578039;
-    const float a0 = -0.00864380188540024;
-    const float a1 = -0.17199925947539585;
-    const float a2 = -0.7203758371227195;
-    const float a3 = 1.7462181823679397;
-    const float a4 = -3.9105853558377963;
-    const float c0 = 8.088509220005025e-4;
-    const float c1 = -0.013378827133963203;
-    const float c2 = 0.1481578216903207;
-    const float c3 = 0.9571842194689294;
-    const float c4 = -3.705344302628417;
-    const float c5 = 4.1931636632327285;
-    const float d0 = -4.5451834553286296e-5;
-    const float d1 = -4.0706848654072585e-4;
-    const float d2 = 0.029090954291798397;
-    const float d3 = -0.22775553152673444;
-    const float d4 = 0.3229266084908395;
-    const float d5 = 0.03076476260462718;
-    const float f0 = 1.4249472230693835e-7;
-    const float f1 = 1.1166883127898665e-4;
-    const float f2 = -0.0015665840468006786;
-    const float f3 = 0.005553283554030308;
-    const float j0 = 5.124776330286586e-8;
-    const float j1 = -3.2090004127142905e-6;
-    const float j2 = 9.367350799627765e-6;
+    const float b = 9.770485390644541;
+    const float b1 = 34.358799052107955;
+    const float b2 = 31.819805628532155;
+    const float m1 = -0.49993502761884645;
+    const float m2 = 2.435768513476101;
+    const float m3 = -4.661025276565961;
+    const float m4 = 23.651728487627587;
+    const float m5 = -55.541631438923424;
+    const float m6 = 50.807418711237105;
+    const float e0 = 0.15916265244726366;
+    const float e1 = -0.1201535354882521;
+    const float e2 = 0.7840335535755301;
+    const float e3 = -1.3894647861626075;
+    const float e4 = 8.616322971545529;
+    const float e5 = -15.129412128621235;
+    const float e6 = 14.455777978492431;
+    const float k0 = 0.7104660909445603;
+    const float k1 = -1.2026015574683218;
+    const float k2 = -2.690870894451964;
+    const float k3 = -14.916457799512573;
+    const float k4 = 86.213457501491;
+    const float k5 = -82.28140032464508;
+    const float k6 = -13.276523029288867;
+    const float a0 = -0.012463829129697552;
+    const float a1 = -0.04953877065552029;
+    const float a2 = -0.7452388864240758;
+    const float a3 = -0.3362365318708385;
+    const float a4 = 0.5874926412414468;
+    const float c0 = 0.0010457363139175317;
+    const float c1 = -0.017957828779423837;
+    const float c2 = 0.08189440779051237;
+    const float c3 = 0.16663309738890864;
+    const float c4 = 1.90923232839575;
+    const float c5 = -5.041394724810701;
+    const float d0 = -6.546661601587844e-5;
+    const float d1 = 8.370786869801877e-4;
+    const float d2 = 2.5866043013189925e-4;
+    const float d3 = 0.08119267023737292;
+    const float d4 = -0.6439083952260073;
+    const float d5 = 1.026094686392264;
+    const float f0 = 1.1038487174341621e-6;
+    const float f1 = 4.6445678114377605e-5;
+    const float f2 = -1.8598538685655713e-4;
+    const float f3 = -2.1688162767113296e-4;
+    const float j0 = 6.101325592663997e-8;
+    const float j1 = -3.4595099085301664e-6;
+    const float j2 = 2.985942038361842e-6;
     float l = min(lambda, 1e18);
     float h = l * l + b;
     float s = inversesqrt(h + b1 / (h + b2));
@@ -1287,8 +1289,8 @@ float sg_A_h_meder_2018_refit(float lambda, float cos_theta)
 // sg_L_medium returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 9.82e-05 at lambda 1.833, beta 3.142 (cos_theta -1); RMSE 3.09e-05
-//   double  max 9.81e-05 at lambda 1.833, beta 3.142 (cos_theta -1); RMSE 3.09e-05
+//   float   max 9.83e-05 at lambda 1.833, beta 3.142 (cos_theta -1); RMSE 3.09e-05
+//   double  max 9.83e-05 at lambda 1.833, beta 3.142 (cos_theta -1); RMSE 3.09e-05
 // Cost on navi21: L 27 instructions, inverse throughput 9; A_h 53 instructions, inverse throughput
 //   42
 // Source: sgfit fit medium (fit/recipes/medium.json)
@@ -1301,18 +1303,18 @@ float sg_A_h_meder_2018_refit(float lambda, float cos_theta)
 // coefficients polynomials in s) 2^(-k g). lambda is held where its square is a float.
 float sg_L_medium(float lambda, float cos_theta)
 {
-    const float b = 6.741071509052545;
-    const float m1 = -0.49773474199185774;
-    const float m2 = 1.5872231193842072;
-    const float m3 = -1.9553857372367143;
-    const float e0 = 0.15873286073636542;
-    const float e1 = -0.11916223563512565;
-    const float e2 = 0.5440183397149724;
-    const float e3 = -0.5471311840905091;
-    const float k0 = 0.7968924583562518;
-    const float k1 = -1.2905545721889966;
-    const float a0 = -0.122834125967802;
-    const float b0 = -0.0062595355012081254;
+    const float b = 6.739169803466794;
+    const float m1 = -0.4977000112012122;
+    const float m2 = 1.5865003161602866;
+    const float m3 = -1.9546892062992305;
+    const float e0 = 0.15873170876230316;
+    const float e1 = -0.11914490702119242;
+    const float e2 = 0.5438024261940932;
+    const float e3 = -0.5471213836964591;
+    const float k0 = 0.7969493025641795;
+    const float k1 = -1.2906990865615058;
+    const float a0 = -0.12278844353640792;
+    const float b0 = -0.006265904324199117;
     float l = min(lambda, 1e18);
     float s = inversesqrt(l * l + b);
     float a = l * cos_theta;
@@ -1336,8 +1338,8 @@ float sg_A_h_medium(float lambda, float cos_theta)
 // sg_L_positive returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 0.000505 at lambda 4.112, beta 0.009425 (cos_theta 1); RMSE 0.000256
-//   double  max 0.000505 at lambda 4.112, beta 0 (cos_theta 1); RMSE 0.000256
+//   float   max 0.000503 at lambda 4.112, beta 0.003142 (cos_theta 1); RMSE 0.00023
+//   double  max 0.000503 at lambda 4.112, beta 0 (cos_theta 1); RMSE 0.00023
 // Cost on navi21: L 50 instructions, inverse throughput 51; A_h 76 instructions, inverse throughput
 //   84
 // Source: sgfit fit positive (fit/recipes/positive.json)
@@ -1353,23 +1355,23 @@ float sg_A_h_medium(float lambda, float cos_theta)
 // lambda is held where its square is a float.
 float sg_L_positive(float lambda, float cos_theta)
 {
-    const float b = 2.9487926951265795;
-    const float m1 = -0.49413935361403755;
-    const float m2 = 0.7113174721539133;
-    const float m3 = -1.604935687535984;
-    const float m4 = 1.3073795497169216;
-    const float e0 = 0.15819376221159795;
-    const float e1 = -0.07951516914183761;
-    const float e2 = -0.012557821545102425;
-    const float k0 = 1.443310352598683;
-    const float a0 = 0.2999094274703398;
-    const float a1 = -1.6709313997198112;
-    const float a2 = -0.05019846684632993;
-    const float c0 = -0.4646576550974307;
-    const float c1 = 2.2034829020597884;
-    const float c2 = -2.947422696320076;
-    const float d0 = 0.16351575897591525;
-    const float d1 = -0.9281365437984758;
+    const float b = 2.901688061851163;
+    const float m1 = -0.4939413789200897;
+    const float m2 = 0.6967078509727059;
+    const float m3 = -1.5742484790924904;
+    const float m4 = 1.2895707237198983;
+    const float e0 = 0.15825996260925232;
+    const float e1 = -0.08059510246818169;
+    const float e2 = -0.012264699073911738;
+    const float k0 = 1.443307759164753;
+    const float a0 = 0.3008079277016142;
+    const float a1 = -1.7131507255362137;
+    const float a2 = -9.755545001385052e-4;
+    const float c0 = -0.4679655600613682;
+    const float c1 = 2.341289432531464;
+    const float c2 = -3.0733189385069952;
+    const float d0 = 0.1660344572406734;
+    const float d1 = -1.0446556734121901;
     float l = min(lambda, 1e18);
     float h = l * l + b;
     float s = inversesqrt(h);
@@ -1397,8 +1399,8 @@ float sg_A_h_positive(float lambda, float cos_theta)
 // sg_L_quick returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 0.000999 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.00051
-//   double  max 0.000999 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.00051
+//   float   max 0.000995 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.000511
+//   double  max 0.000995 at lambda 36.43, beta 1.571 (cos_theta 0); RMSE 0.000511
 // Cost on navi21: L 20 instructions, inverse throughput 6; A_h 46 instructions, inverse throughput
 //   32
 // Source: sgfit fit quick (fit/recipes/quick.json)
@@ -1411,13 +1413,13 @@ float sg_A_h_positive(float lambda, float cos_theta)
 // (lambda z)^2 and cut off at 0. lambda is held where its square is a float.
 float sg_L_quick(float lambda, float cos_theta)
 {
-    const float b = 5.504155697909386;
-    const float m1 = -0.4827185320775348;
-    const float m2 = 1.16415898334368;
-    const float m3 = -1.5040733086253202;
-    const float e0 = 0.6241216896006975;
-    const float e1 = -0.01032168726301996;
-    const float k0 = 0.07763535592966624;
+    const float b = 5.511052878007221;
+    const float m1 = -0.4827705875052559;
+    const float m2 = 1.1678943585278665;
+    const float m3 = -1.5104012256577986;
+    const float e0 = 0.624134665234732;
+    const float e1 = -0.01012562504042444;
+    const float k0 = 0.07776602835857983;
     float l = min(lambda, 1e18);
     float s = inversesqrt(l * l + b);
     float a = l * cos_theta;
@@ -1437,12 +1439,78 @@ float sg_A_h_quick(float lambda, float cos_theta)
     return sg_A_h_from_L(sg_L_quick(lambda, cos_theta), lambda);
 }
 
+// split: Root over a Gaussian bell in cos_theta (tier, 2026).
+// sg_L_split returns L, in [0, 1] up to its error.
+// Domain: lambda in [0, inf), cos_theta in [-1, 1].
+// Error of L:
+//   float   max 1.01e-05 at lambda 5.915, beta 3.123 (cos_theta -0.9998); RMSE 3.89e-06
+//   double  max 1.01e-05 at lambda 5.915, beta 3.142 (cos_theta -1); RMSE 3.89e-06
+// Cost on navi21: L 45 instructions, inverse throughput 43; A_h 71 instructions, inverse throughput
+//   76
+// Source: sgfit fit split (fit/recipes/split.json)
+// Made by: sgfit fit split
+// Form root_bell_split: half the odd part and a root, over a Gaussian bell in cos_theta, for many
+// pixels a lobe. With p = z m / 2 (m = coth lambda - 1/lambda, so 2 p is the odd part of L,
+// exactly) and t = T (T + 2 |p|), T = L(lambda, -|z|), the identity L = p + sqrt(p^2 + t) holds,
+// and t is an even analytic function of lambda and of z: no crease at the terminator, and one
+// polynomial in s = 1/sqrt(lambda^2 + ...) serves from lambda = 0 to infinity. The bell t =
+// (polynomial in v) 2^(-k v) in v = cos_theta^2: what depends on lambda alone, five numbers, can be
+// prepared once a lobe, and a compiler does so where lambda is uniform. The inner quotient moves
+// the poles of m, at lambda = i pi, out of the way. lambda is held where its square is a float.
+float sg_L_split(float lambda, float cos_theta)
+{
+    const float b = 8.851255374362474;
+    const float b1 = 156.7956548174273;
+    const float b2 = 81.53311603142151;
+    const float m1 = -0.4985159108304647;
+    const float m2 = 2.0693333619153425;
+    const float e0 = 0.15908981061445657;
+    const float e1 = -0.11878266887314917;
+    const float e2 = 0.6789241503681536;
+    const float e3 = -0.13107093155825952;
+    const float e4 = 2.2912856234337013;
+    const float k0 = 0.739975443197133;
+    const float k1 = -2.5543930256908864;
+    const float k2 = -1.5040247416239403;
+    const float k3 = 29.273391342076195;
+    const float k4 = -35.03287333539292;
+    const float a0 = -0.008455157384544628;
+    const float a1 = -0.23127280793823596;
+    const float c0 = 3.782596229558713e-4;
+    const float c1 = -1.9310877265133733e-4;
+    const float c2 = 0.13341946999338866;
+    const float c3 = 0.10461695180222876;
+    const float c4 = -1.6310068989037692;
+    float l = min(lambda, 1e18);
+    float h = l * l + b;
+    float s = inversesqrt(h + b1 / (h + b2));
+    float x = l * s;
+    float y = l * x;
+    float half_m = x * (0.5 + s * (m1 + s * m2));
+    float k = y * (k0 + s * (k1 + s * (k2 + s * (k3 + s * k4))));
+    float t0 = s * (e0 + s * (e1 + s * (e2 + s * (e3 + s * e4))));
+    float t1 = (s * y) * (a0 + s * a1);
+    float t2 = (s * y) * y * (c0 + s * (c1 + s * (c2 + s * (c3 + s * c4))));
+    float p = half_m * cos_theta;
+    float v = cos_theta * cos_theta;
+    float t = t0 + v * (t1 + v * t2);
+    return clamp(p + sqrt(p * p + t * exp2(-k * v)), 0.0, 1.0);
+}
+
+// sg_A_h_split returns A_h, in [0, pi] up to its error, which is that of L times
+// sg_integral(lambda).
+// Domain, error and source: above.
+float sg_A_h_split(float lambda, float cos_theta)
+{
+    return sg_A_h_from_L(sg_L_split(lambda, cos_theta), lambda);
+}
+
 // standard: Root over a Gaussian bell, three terms (tier, 2026).
 // sg_L_standard returns L, in [0, 1] up to its error.
 // Domain: lambda in [0, inf), cos_theta in [-1, 1].
 // Error of L:
-//   float   max 8.98e-06 at lambda 127.4, beta 0.05027 (cos_theta 0.9987); RMSE 4.32e-06
-//   double  max 8.92e-06 at lambda 132.7, beta 0 (cos_theta 1); RMSE 4.32e-06
+//   float   max 6.71e-06 at lambda 5.032, beta 0.05969 (cos_theta 0.9982); RMSE 3.93e-06
+//   double  max 6.6e-06 at lambda 5.032, beta 0 (cos_theta 1); RMSE 3.93e-06
 // Cost on navi21: L 45 instructions, inverse throughput 41; A_h 71 instructions, inverse throughput
 //   74
 // Source: sgfit fit standard (fit/recipes/standard.json)
@@ -1457,32 +1525,32 @@ float sg_A_h_quick(float lambda, float cos_theta)
 // vanished long before.
 float sg_L_standard(float lambda, float cos_theta)
 {
-    const float b = 8.23571827890773;
-    const float b1 = 139.528579059543;
-    const float b2 = 89.33157201501581;
-    const float m1 = -0.4986419578041977;
-    const float m2 = 1.9300281211289334;
-    const float m3 = -0.14256498660420178;
-    const float m4 = -1.5303620453996434;
-    const float e0 = 0.15903524428267782;
-    const float e1 = -0.11338186379441474;
-    const float e2 = 0.5313497417225995;
-    const float e3 = 0.5043184555885236;
-    const float k0 = 1.0495683500315878;
-    const float k1 = 0.16210977468762056;
-    const float k2 = -7.38009013863948;
-    const float k3 = 7.929695082107794;
-    const float a0 = 0.025620620798821825;
-    const float a1 = 0.04032895924634328;
-    const float a2 = -0.7245122023388973;
-    const float c0 = 0.0020991709743159452;
-    const float c1 = 0.01639726089561413;
-    const float c2 = -0.4017136659143325;
-    const float c3 = 0.7543057635066314;
-    const float d0 = 2.7132295973082335e-4;
-    const float d1 = -0.008641217741449637;
-    const float d2 = 0.006879484710640265;
-    const float d3 = 0.03571040338194324;
+    const float b = 8.204608972701529;
+    const float b1 = 150.3229144350623;
+    const float b2 = 95.56507857568361;
+    const float m1 = -0.4989149733057123;
+    const float m2 = 1.9347765429038537;
+    const float m3 = -0.1601680759707647;
+    const float m4 = -1.556490388739207;
+    const float e0 = 0.15906563608246832;
+    const float e1 = -0.11443962895364539;
+    const float e2 = 0.5401459535732135;
+    const float e3 = 0.48007618487093917;
+    const float k0 = 0.685515889879361;
+    const float k1 = -0.593528927477311;
+    const float k2 = -6.523225494036482;
+    const float k3 = 8.911276314599508;
+    const float a0 = -0.014903964455727798;
+    const float a1 = 0.0024720064748624455;
+    const float a2 = -0.8456906638459399;
+    const float c0 = 0.0011049588199589346;
+    const float c1 = -0.016638225368635053;
+    const float c2 = 0.011850853845462828;
+    const float c3 = 0.5105966197458224;
+    const float d0 = -3.0388569944486813e-5;
+    const float d1 = -2.1750442388810104e-4;
+    const float d2 = 0.020159783682664936;
+    const float d3 = -0.07751177302005666;
     float l = min(lambda, 1e18);
     float h = l * l + b;
     float s = inversesqrt(h + b1 / (h + b2));

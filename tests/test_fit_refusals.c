@@ -94,6 +94,8 @@ static void a_bad_recipe_is_one_line(void **state)
         {"\"count\": 401", "\"count\": 1.5", "count"},
         {"\"count\": 401", "\"count\": 1e9", "count"},
         {"\"spacing\": \"sqrt\"", "\"spacing\": \"cube\"", "spacing"},
+        {"\"cos_theta\"", "\"terminator\"", "spacing"},
+        {"\"seed\": 1", "\"seed\": 1, \"later\": [\"t_shift\"]", "later"},
         {"\"least_squares\"", "\"least\"", "objective"},
         {"\"uniform\"", "\"even\"", "weights"},
         {"\"uniform\"", "{\"lamda\": 1}", "lamda"},

@@ -27,8 +27,8 @@ static const char *const parts[][2] = {
      "\"count\": 21}}"},
     {"weights", "\"uniform\""},
     {"objective", "\"least_squares\""},
-    {"start", "{\"u_1\": 0.2}"},
-    {"fixed", "{\"t_infinity\": 2.1583, \"u_infinity\": 1.569, \"p_1\": 13.7, \"q_1\": 11.5, "
+    {"start", "{\"u_1\": 0.2, \"u_infinity\": 1.5}"},
+    {"fixed", "{\"t_infinity\": 2.1583, \"p_1\": 13.7, \"q_1\": 11.5, "
               "\"q_2\": -27.5, \"q_3\": 470}"},
     {"seed", "1"},
     {"iterations", "200"},
@@ -111,6 +111,35 @@ static void a_recipe_writes_its_constants_twice_alike(void **state)
     free(twice);
     run_free(&first);
     run_free(&second);
+    workspace_close(&at);
+}
+
+/* Where the optimum is one, the way there does not matter: but the constants say how. */
+static void coefficients_may_join_later(void **state)
+{
+    (void)state;
+    static const char *const more[] = {"", ",\n\"later\": [\"u_infinity\"]"};
+    double u[2], limit[2];
+    workspace at;
+    workspace_open(&at);
+    for (int staged = 0; staged < 2; staged++) {
+        write_recipe(&at, NULL, NULL, more[staged]);
+        run result = run_recipe(&at);
+        if (result.status != 0)
+            print_message("%s", result.error);
+        assert_int_equal(result.status, 0);
+        run_free(&result);
+        cJSON *file = base_json_read(workspace_path(&at, "out/small_refit.json"));
+        const cJSON *fitted = cJSON_GetObjectItemCaseSensitive(file, "coefficients");
+        const cJSON *made = cJSON_GetObjectItemCaseSensitive(file, "provenance");
+        assert_true(base_json_f64(fitted, "small_refit", "u_1", &u[staged]));
+        assert_true(base_json_f64(fitted, "small_refit", "u_infinity", &limit[staged]));
+        assert_int_equal(cJSON_GetArraySize(cJSON_GetObjectItemCaseSensitive(made, "later")),
+                         staged);
+        cJSON_Delete(file);
+    }
+    assert_true(fabs(u[0] - u[1]) < 1e-6 * fabs(u[0]));
+    assert_true(fabs(limit[0] - limit[1]) < 1e-6 * fabs(limit[0]));
     workspace_close(&at);
 }
 
@@ -239,6 +268,15 @@ static void bad_recipes_are_refused_by_one_line(void **state)
         {",\n\"colour\": \"red\"", "\"colour\""},
         {",\n\"seed\": 2", "\"seed\""},
         {",\n\"bounds\": {\"u_1\": [1, 2]}", "bounds.u_1"},
+        {",\n\"later\": \"u_1\"", "\"later\""},
+        {",\n\"later\": [\"u_9\"]", "\"later\""},
+        {",\n\"later\": [\"u_1\", \"u_1\"]", "\"later\""},
+        {",\n\"later\": [1]", "\"later\""},
+        {",\n\"later\": [\"u_1\", \"u_infinity\"]", "\"later\""},
+        {",\n\"tried\": [{\"what\": \"x\", \"domain\": {\"lambda\": [1, 10], \"beta\": [0, 90]}, "
+         "\"grid\": {\"lambda\": {\"spacing\": \"shifted_log\", \"count\": 9}, \"angle\": "
+         "{\"spacing\": \"terminator\", \"count\": 9}}}]",
+         "grid.angle.spacing"},
         {",\n\"published\": {\"method\": \"nobody_1900\", \"bars\": {}}", "published.method"},
         {",\n\"published\": {\"method\": \"meder_2018\", \"bars\": {\"u_1\": 1}}",
          "published.bars.u_1"},
@@ -308,6 +346,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_recipe_writes_its_constants_twice_alike),
+        cmocka_unit_test(coefficients_may_join_later),
         cmocka_unit_test(published_constants_get_what_was_regenerated),
         cmocka_unit_test(list_names_every_recipe),
         cmocka_unit_test(bad_recipes_are_refused_by_one_line),
