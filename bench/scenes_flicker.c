@@ -106,7 +106,7 @@ static void pose(render_scene *scene, const render_scene *base, int frame, int f
 
 static void write_film(FILE *out, const char *what, const film *f, const scenes_table *names)
 {
-    for (size_t i = 0; i < PIPELINES; i++) {
+    for (size_t i = 0; i < names->count; i++) {
         const history *h = &f->of[i];
         double frames = f->frame > 2 ? f->frame - 2 : 1;
         char own[BASE_NUMBER_SIZE], ratio[BASE_NUMBER_SIZE];
