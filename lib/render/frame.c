@@ -36,7 +36,7 @@ static gpu_status create_buffers(render_frame *frame)
     view_data *view = gpu_buffer_map(frame->view);
     view_fill(&frame->scene->camera, frame->width, frame->height, view);
     view->size[3] = (uint32_t)frame->scene->triangle_count;
-    return gpu_buffer_create(frame->device, 64, &frame->counters);
+    return gpu_buffer_create(frame->device, 128, &frame->counters);
 }
 
 static gpu_status draw(render_frame *frame, const geometry *geometry)

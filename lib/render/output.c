@@ -137,6 +137,20 @@ static void add_count(cJSON *object, const char *key, uint64_t count)
     base_json_add_f64(object, key, (double)count);
 }
 
+static void output_fragments(cJSON *object, const render_statistics *statistics)
+{
+    uint64_t sum = 0;
+    cJSON *levels = cJSON_CreateArray();
+    for (int i = 0; i < RENDER_LEVELS; i++) {
+        sum += statistics->fragments_by_level[i];
+        cJSON_AddItemToArray(levels, base_json_number((double)statistics->fragments_by_level[i]));
+    }
+    add_count(object, "fragments", sum);
+    cJSON_AddItemToObject(object, "fragments_by_level", levels);
+    add_count(object, "visibility_rays", statistics->visibility_rays);
+    add_count(object, "samples", statistics->samples);
+}
+
 void output_statistics(cJSON *object, const render_statistics *statistics)
 {
     add_count(object, "triangles", statistics->triangles);
@@ -148,6 +162,8 @@ void output_statistics(cJSON *object, const render_statistics *statistics)
     add_count(object, "vertices", statistics->vertices);
     add_count(object, "light_evaluations", statistics->light_evaluations);
     add_count(object, "ground_truth_evaluations", statistics->ground_truth_evaluations);
+    if (statistics->visibility_rays || statistics->samples)
+        output_fragments(object, statistics);
     cJSON *times = cJSON_AddObjectToObject(object, "times_ms");
     double all = 0, lighting = 0;
     for (int i = 0; i < statistics->time_count; i++) {

@@ -1,17 +1,13 @@
 /* The table of pipelines. */
 #include "internal.h"
+#include "shadows.h"
 #include "upsample.h"
 
 #include <string.h>
 
 const render_pipeline *const render_pipelines[] = {
-    &exact_pipeline,
-    &exact_unclipped_pipeline,
-    &limit_pipeline,
-    &upsample2_pipeline,
-    &upsample4_pipeline,
-    &upsample8_pipeline,
-    NULL,
+    &exact_pipeline,     &exact_unclipped_pipeline, &limit_pipeline,   &upsample2_pipeline,
+    &upsample4_pipeline, &upsample8_pipeline,       &shadows_pipeline, NULL,
 };
 
 const render_pipeline *render_pipeline_find(const char *id)

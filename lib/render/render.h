@@ -8,7 +8,7 @@
 
 /* ---- Statistics ---------------------------------------------------------------------- */
 
-enum { RENDER_MOST_TIMES = 64 };
+enum { RENDER_MOST_TIMES = 64, RENDER_LEVELS = 5 };
 
 typedef struct render_statistics {
     uint64_t pixels_covered; /* with a surface and a light value that the pipeline made for them */
@@ -16,6 +16,9 @@ typedef struct render_statistics {
     uint64_t pixels_wrong;     /* lit by a segment that they are not part of */
     uint64_t quads, vertices;
     uint64_t light_evaluations; /* pairs of a point and a light, as the shaders executed them */
+    /* area lights with shadows: rays, places where irradiance was computed, fragments of
+     * 1, 2, 4, 8, 16 pixels a side */
+    uint64_t visibility_rays, samples, fragments_by_level[RENDER_LEVELS];
     uint64_t ground_truth_evaluations; /* pixels with a surface times lights */
     uint64_t triangles, lights;
     int time_count;

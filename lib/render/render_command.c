@@ -68,7 +68,9 @@ static int read_arguments(int argc, char **argv, settings *s)
          "where meshes are that are not beside the description (default: $SGFIT_SCENES)", NULL},
         {"pipeline", BASE_STRING, &s->pipeline, "ID", "how to light it (default: hull)", NULL},
         {"size", BASE_STRING, &s->size, "WxH", "pixels (default: 1280x720)", NULL},
-        {"compare", BASE_CHOICE, &s->compare, "exact", "compare with ground truth", NULL},
+        {"compare", BASE_CHOICE, &s->compare, "exact|shadows",
+         "compare with ground truth: of all lights without shadows, or of area lights with them",
+         NULL},
         {"method", BASE_STRING, &s->method, "ID",
          "integrate lobes by this method of the registry (default: standard)", NULL},
         {"detailed-normals", BASE_FLAG, &s->detailed, NULL,
@@ -102,11 +104,11 @@ static bool is_good(gpu_status status)
 }
 
 /* The truth of the same frame, its times and the comparison. */
-static bool compare(render_frame *frame, output_frame *out, cJSON *json)
+static bool compare(render_frame *frame, const char *id, output_frame *out, cJSON *json)
 {
-    const render_pipeline *exact = render_pipeline_find("exact");
+    const render_pipeline *truth = render_pipeline_find(id);
     render_statistics statistics;
-    if (!is_good(render_frame_light(frame, exact, NULL, NULL, &statistics)) ||
+    if (!is_good(render_frame_light(frame, truth, NULL, NULL, &statistics)) ||
         !is_good(output_read_image(frame->light, &out->truth)))
         return false;
     size_t pixels = (size_t)out->width * (size_t)out->height;
@@ -115,7 +117,7 @@ static bool compare(render_frame *frame, output_frame *out, cJSON *json)
     render_compare(pixels, out->light, out->truth, out->errors, &comparison);
     output_comparison(json, &comparison);
     for (int i = 0; i < statistics.time_count; i++)
-        if (strcmp(statistics.times[i].name, "exact") == 0)
+        if (strcmp(statistics.times[i].name, id) == 0)
             base_json_add_f64(json, "ground_truth_ms", statistics.times[i].ms);
     return true;
 }
@@ -167,7 +169,7 @@ static bool light_and_write(const settings *s, render_frame *frame, const render
                 dumped && is_good(output_read(frame, s->layers || s->dump, &out));
     if (good) {
         output_statistics(json, &statistics);
-        good = !s->compare || compare(frame, &out, json);
+        good = !s->compare || compare(frame, s->compare, &out, json);
     }
     good = good && write_all(s, &out, frame->gain, json);
     output_free(&out);

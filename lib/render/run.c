@@ -8,7 +8,7 @@
 
 #include "base/progress.h"
 
-enum { COUNTERS = 6 }; /* as shaders/common/counters.glsl numbers them */
+enum { COUNTERS = 13 }; /* as shaders/common/counters.glsl numbers them */
 
 static int ascending(const void *a, const void *b)
 {
@@ -39,10 +39,13 @@ void statistics_add_time(render_statistics *statistics, const char *name, double
 
 static void add_counters(const render_frame *frame, render_statistics *statistics)
 {
-    uint64_t *const fields[COUNTERS] = {
+    uint64_t *fields[COUNTERS] = {
         &statistics->light_evaluations, &statistics->pixels_covered, &statistics->pixels_uncovered,
         &statistics->pixels_wrong,      &statistics->quads,          &statistics->vertices,
+        &statistics->visibility_rays,   &statistics->samples,
     };
+    for (int i = 0; i < RENDER_LEVELS; i++)
+        fields[COUNTERS - RENDER_LEVELS + i] = &statistics->fragments_by_level[i];
     const uint32_t *halves = gpu_buffer_map(frame->counters);
     for (int i = 0; i < COUNTERS; i++)
         *fields[i] += halves[2 * i] | (uint64_t)halves[2 * i + 1] << 32;

@@ -10,6 +10,9 @@ const uint COUNT_UNCOVERED = 2u;
 const uint COUNT_WRONG = 3u;
 const uint COUNT_QUADS = 4u;
 const uint COUNT_VERTICES = 5u;
+const uint COUNT_RAYS = 6u;      // shadow rays
+const uint COUNT_SAMPLES = 7u;   // places where irradiance was computed
+const uint COUNT_FRAGMENTS = 8u; // of level 0, 1, ... 4: this number and the four that follow
 
 layout(set = 0, binding = COUNTERS_BINDING, std430) buffer CounterBuffer
 {
