@@ -32,7 +32,7 @@ static gpu_status create_unclipped(render_frame *frame, void **state)
 
 static gpu_status run_exact(render_frame *frame, void *state, render_statistics *statistics)
 {
-    enum { GROUP_WIDTH = 16, GROUP_HEIGHT = 8 };
+    enum { GROUP_WIDTH = 16, GROUP_HEIGHT = 16 };
     double row_pairs = (double)frame->width * (frame->light_count ? frame->light_count : 1);
     double fit = strip_pairs / row_pairs / GROUP_HEIGHT;
     uint32_t group_rows = (frame->height + GROUP_HEIGHT - 1) / GROUP_HEIGHT;

@@ -91,6 +91,7 @@ gpu_status render_frame_create(gpu_device *device, const render_scene *scene,
 void render_frame_destroy(render_frame *frame)
 {
     gpu_compute_destroy(frame->resolve);
+    gpu_compute_destroy(frame->count);
     gpu_buffer_destroy(frame->view);
     gpu_buffer_destroy(frame->lights);
     gpu_buffer_destroy(frame->counters);

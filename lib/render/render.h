@@ -74,7 +74,7 @@ typedef struct render_frame {
     /* times of the passes "gbuffer" and "rsm"; triangles, lights */
     render_statistics made;
     double gain; /* exposure of pictures of this scene and view, see render_tone */
-    gpu_compute *resolve;
+    gpu_compute *resolve, *count;
 } render_frame;
 
 /* Makes the images, draws the G-buffer and the reflective shadow map and turns its texels and the

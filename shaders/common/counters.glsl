@@ -1,11 +1,13 @@
 // counters.glsl: what the shaders count of themselves. Before including it:
 //     #define COUNTERS_BINDING 3     where the counters are bound
 //     #define COUNTERS_SHARED        in a compute shader that calls counter_add_group
+//     #define COUNTERS_SUBGROUP      in a shader that calls counter_add_subgroup, which starts with
+//                                    #extension GL_KHR_shader_subgroup_arithmetic : require
 #ifndef COUNTERS_GLSL
 #define COUNTERS_GLSL
 
 const uint COUNT_EVALUATIONS = 0u; // pairs of a point and a light
-const uint COUNT_COVERED = 1u;     // pixels; these three are counted by the resolve pass
+const uint COUNT_COVERED = 1u;     // pixels; these three are counted after the frame
 const uint COUNT_UNCOVERED = 2u;
 const uint COUNT_WRONG = 3u;
 const uint COUNT_QUADS = 4u;
@@ -43,6 +45,17 @@ void counter_add_group(uint index, uint n)
     if (gl_LocalInvocationIndex == 0u && counter_sum > 0u)
         counter_add(index, counter_sum);
     barrier();
+}
+#endif
+
+#ifdef COUNTERS_SUBGROUP
+// Every invocation calls this, each with its own n: one addition to the buffer for a subgroup. No
+// barrier, which on a software device costs more than the additions that it saves.
+void counter_add_subgroup(uint index, uint n)
+{
+    uint sum = subgroupAdd(n);
+    if (subgroupElect() && sum > 0u)
+        counter_add(index, sum);
 }
 #endif
 
