@@ -24,9 +24,9 @@ bool report_has_scenes(const report *report)
 /* ---- Pictures ---------------------------------------------------------------------------------
  */
 
-static bool picture(report *report, const char *folder, const char *file)
+static bool picture(report *report, const char *group, const char *file)
 {
-    char *path = base_join(folder, file), *inside = base_join("pictures", file);
+    char *inside = base_join(group, file), *path = base_join(report->scenes, inside);
     size_t size;
     char *bytes = base_read_file(path, &size);
     if (bytes) {
@@ -44,20 +44,17 @@ static bool picture(report *report, const char *folder, const char *file)
     return bytes != NULL;
 }
 
-static bool gallery(report *report)
+/* All pictures of a folder beside the tables; the folder's name is that in the page, too. */
+static bool gallery(report *report, const char *group, const char *text)
 {
-    char *folder = base_join(report->scenes, "pictures"), **names;
+    char *folder = base_join(report->scenes, group), **names;
     size_t count;
     bool good = base_list(folder, ".png", &names, &count);
     if (good) {
-        html_paragraph(report->page,
-                       "Pictures by the ground truth (`exact`), the paper as printed (`meder`), "
-                       "ours and a rival, all of one view with the same exposure; and their errors "
-                       "of irradiance, relative to the image mean and times four, from green to "
-                       "red.");
+        html_paragraph(report->page, "%s", text);
         fputs("<div class=\"gallery\">\n", page_html(report->page));
         for (size_t i = 0; i < count && good; i++)
-            good = picture(report, folder, names[i]);
+            good = picture(report, group, names[i]);
         fputs("</div>\n", page_html(report->page));
         base_list_free(names, count);
     }
@@ -286,7 +283,16 @@ bool report_scenes(report *report)
                                                 NULL};
     static const char *const flicker_titles[] = {"moving", "pipeline", "#own", "#ratio to truth",
                                                  NULL};
-    return gallery(report) && charts(report) &&
+    static const char *const lobe_names[] = {
+        "figure",        "method",       "smape",      "smape_p99",
+        "largest_error", "black_pixels", "time_ratio", NULL};
+    static const char *const lobe_titles[] = {"figure",   "method", "#SMAPE", "#99 %",
+                                              "#largest", "#black", "#time",  NULL};
+    return gallery(report, "pictures",
+                   "Pictures by the ground truth (`exact`), the paper as printed (`meder`), ours "
+                   "and a rival, all of one view with the same exposure; and their errors of "
+                   "irradiance, relative to the image mean and times four, from green to red.") &&
+           charts(report) &&
            table(report, "views.csv", view_names, view_titles,
                  "Every view. Errors of irradiance against ground truth, relative to the image's "
                  "mean; light evaluations as the shaders counted them; time of all lighting passes "
@@ -296,5 +302,14 @@ bool report_scenes(report *report)
                  "what the paper's table 1 says (0: it does not have this scene).") &&
            table(report, "flicker.csv", flicker_names, flicker_titles,
                  "Flicker: root mean square, over pixels, of the second difference in time: of the "
-                 "error, and of the irradiance against that of ground truth.");
+                 "error, and of the irradiance against that of ground truth.") &&
+           gallery(report, "lobes",
+                   "One surface after another lit by spherical Gaussians alone, as in Tokuyoshi's "
+                   "figures 1 and 4: a sharp light close to a wall, and the light that the scene "
+                   "reflects as two broad ones. Symmetric mean absolute percentage errors against "
+                   "the exact integral, times four.") &&
+           table(report, "lobes.csv", lobe_names, lobe_titles,
+                 "Every method of the registry on these two: mean error and 99th percentile, the "
+                 "largest error relative to the image's mean, pixels that are black where light "
+                 "falls, and the time of the pass relative to one without the integral.");
 }
