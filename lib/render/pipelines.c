@@ -1,4 +1,5 @@
 /* The table of pipelines. */
+#include "hull.h"
 #include "internal.h"
 #include "shadows.h"
 #include "upsample.h"
@@ -6,8 +7,18 @@
 #include <string.h>
 
 const render_pipeline *const render_pipelines[] = {
-    &exact_pipeline,     &exact_unclipped_pipeline, &limit_pipeline,   &upsample2_pipeline,
-    &upsample4_pipeline, &upsample8_pipeline,       &shadows_pipeline, NULL,
+    &exact_pipeline,
+    &exact_unclipped_pipeline,
+    &limit_pipeline,
+    /* from few points */
+    &hull_pipeline,
+    &upsample2_pipeline,
+    &upsample4_pipeline,
+    &upsample8_pipeline,
+    /* with shadows */
+    &shadows_pipeline,
+    /* the end */
+    NULL,
 };
 
 const render_pipeline *render_pipeline_find(const char *id)

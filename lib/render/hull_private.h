@@ -1,0 +1,81 @@
+/* hull_private.h: the state of the pipeline, shared by its files. */
+#ifndef RENDER_HULL_PRIVATE_H
+#define RENDER_HULL_PRIVATE_H
+
+#include "hull.h"
+
+/* Push of shaders/hull/hull.glsl. */
+typedef struct hull_push {
+    uint32_t tiles_x, tiles_y, level, vertex_capacity;
+    uint32_t quad_first[HULL_LEVELS + 1];
+    float link_plane, link_cosine, split, tau, tau_width, near_pixels;
+} hull_push;
+
+/* Words of Control in shaders/hull/control.glsl. */
+enum {
+    HULL_SEED_GROUPS = 0,
+    HULL_GATHER_GROUPS = 3,
+    HULL_SPLIT_GROUPS = 6,
+    HULL_LEAF_GROUPS = 9,
+    HULL_NEAR_GROUPS = 12,
+    HULL_DRAW = 15,
+    HULL_SEED_COUNT = 19,
+    HULL_LEAF_COUNT,
+    HULL_NEAR_COUNT,
+    HULL_VERTEX_COUNT,
+    HULL_GATHER_FIRST,
+    HULL_GATHER_END,
+    HULL_QUAD_COUNT,
+    HULL_MEAN = HULL_QUAD_COUNT + 5,
+    HULL_CONTROL_WORDS
+};
+
+typedef enum hull_pass {
+    HULL_LINKS,
+    HULL_COMPONENTS,
+    HULL_SEED,
+    HULL_MEAN_SAMPLES,
+    HULL_MEAN_SUM,
+    HULL_NEXT,
+    HULL_GATHER,
+    HULL_SPLIT,
+    HULL_EMIT,
+    HULL_CULL_SUPER,
+    HULL_CULL,
+    HULL_NEAR,
+    HULL_EXACT,
+    HULL_PASSES
+} hull_pass;
+
+typedef enum hull_buffer {
+    HULL_B_CONTROL,
+    HULL_B_ARGUMENTS,  /* of the exact pass */
+    HULL_B_EXACT,      /* its pixels */
+    HULL_B_LINKS,      /* uvec4 a row of a tile */
+    HULL_B_ROW_BOUNDS, /* 2 Bounds a row of a tile */
+    HULL_B_MASKS,      /* 32 words a component */
+    HULL_B_COMPONENTS, /* label and number of pixels */
+    HULL_B_SEEDS,
+    HULL_B_MAP, /* a word a pixel */
+    HULL_B_VERTEX_PIXELS,
+    HULL_B_VERTICES,
+    HULL_B_QUADS, /* 32 bytes each */
+    HULL_B_LEAVES,
+    HULL_B_CORNERS, /* 16 bytes each */
+    HULL_B_SAMPLES,
+    HULL_B_BLOCK_BOUNDS,
+    HULL_B_SUPER_LISTS,
+    HULL_B_NEAR_LISTS,
+    HULL_B_NEAR_BLOCKS,
+    HULL_BUFFERS
+} hull_buffer;
+
+typedef struct hull {
+    hull_push push;
+    uint32_t tiles, supers, blocks;
+    gpu_compute *passes[HULL_PASSES];
+    gpu_draw *draw;
+    gpu_buffer *buffers[HULL_BUFFERS];
+} hull;
+
+#endif

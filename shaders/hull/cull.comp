@@ -1,0 +1,56 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// cull.comp: for each block the lights that may be near to it, of those of its square of blocks.
+#define COUNTERS_BINDING 2
+#define COUNTERS_SHARED
+#define CONTROL_BINDING 3
+#include "../common/frame.glsl"
+#include "../common/counters.glsl"
+#include "../common/lights.glsl"
+#include "hull.glsl"
+#include "control.glsl"
+#include "window.glsl"
+#include "near.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(set = 0, binding = 4, std430) readonly buffer BlockBounds
+{
+    Bounds block_bounds[];
+};
+layout(set = 0, binding = 5, std430) readonly buffer SuperLists
+{
+    uint super_lists[];
+};
+layout(set = 0, binding = 6, std430) writeonly buffer NearLists
+{
+    uint near_lists[]; // MOST_NEAR + 1 each: how many there are, then the first of them
+};
+layout(set = 0, binding = 7, std430) writeonly buffer NearBlocks
+{
+    uint near_blocks[]; // those with a list that is not empty
+};
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x, blocks_x = 2u * tiles_x, tested = 0u;
+    if (index < 4u * tiles_x * tiles_y && block_bounds[index].low.w > 0.0) {
+        Bounds b = block_bounds[index];
+        uvec2 square = uvec2(index % blocks_x, index / blocks_x) / uint(SUPER);
+        uint from = (square.y * ((tiles_x + 1u) / 2u) + square.x) * (view.size.z + 1u);
+        uint at = index * (MOST_NEAR + 1u), listed = 0u;
+        tested = super_lists[from];
+        for (uint i = 1u; i <= tested; i++) {
+            uint light = super_lists[from + i];
+            if (may_be_near(lights[light], b, mean)) {
+                listed++;
+                if (listed <= MOST_NEAR)
+                    near_lists[at + listed] = light;
+            }
+        }
+        near_lists[at] = listed;
+        if (listed > 0u)
+            near_blocks[atomicAdd(near_count, 1u)] = index;
+    }
+    counter_add_group(COUNT_EVALUATIONS, tested);
+}

@@ -1,0 +1,112 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// emit.comp: the triangles of every leaf: a fan around its centre, whose rim takes in the vertices
+// that smaller neighbours have on it, so that no seam opens between quads of different size.
+#include "../common/frame.glsl"
+#include "hull.glsl"
+#include "control.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(set = 0, binding = 2, std430) readonly buffer Links
+{
+    uvec4 links[];
+};
+layout(set = 0, binding = 3, std430) readonly buffer Masks
+{
+    uint masks[];
+};
+layout(set = 0, binding = 4, std430) readonly buffer Map
+{
+    uint map[];
+};
+layout(set = 0, binding = 5, std430) readonly buffer Quads
+{
+    Quad quads[];
+};
+layout(set = 0, binding = 6, std430) readonly buffer Leaves
+{
+    uint leaves[];
+};
+layout(set = 0, binding = 7, std430) writeonly buffer Corners
+{
+    uvec4 corners[]; // vertex, pixel, component; three of them a triangle
+};
+layout(set = 0, binding = 8, std430) buffer Arguments
+{
+    uint exact_groups[3];
+    uint exact_count;
+};
+layout(set = 0, binding = 9, std430) writeonly buffer Exact
+{
+    uint exact_pixels[];
+};
+
+#define MEMBER_READ_ONLY
+#include "member.glsl"
+
+const int MOST_STEPS = TILE / LEAST_SIZE;
+
+// The pixels of a quad that could not be made, to be lit exactly.
+void leave_to_exact(Quad q, ivec2 p, ivec2 tile)
+{
+    uint columns = (NONE >> (uint(TILE) - q.size)) << p.x;
+    for (int y = p.y; y < p.y + int(q.size); y++)
+        for (uint m = masks[q.component * uint(TILE) + uint(y)] & columns; m != 0u; m &= m - 1u) {
+            uint slot = atomicAdd(exact_count, 1u) - 1u;
+            exact_pixels[slot] = uint(tile.y + y) * view.size.x + uint(tile.x + findLSB(m));
+            atomicMax(exact_groups[0], slot / 64u + 1u);
+        }
+}
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= leaf_count)
+        return;
+    Quad q = quads[leaves[index]];
+    int size = int(q.size);
+    ivec2 tile = tile_origin(q.component), p = unpack_pixel(q.origin) - tile;
+    uint centre = vertex_slot(q.centre), slots[4];
+    bool whole = centre != NONE;
+    for (int i = 0; i < 4; i++) {
+        slots[i] = vertex_slot(q.corners[i]);
+        whole = whole && slots[i] != NONE;
+    }
+
+    // the rim, clockwise from the left top corner
+    uint rim[4 * MOST_STEPS], at[4 * MOST_STEPS];
+    uint count = 0u;
+    for (int side = 0; side < 4; side++) {
+        ivec2 from = ivec2(side == 1 || side == 2 ? size : 0, side > 1 ? size : 0);
+        ivec2 along = ivec2(side == 0 ? 1 : side == 2 ? -1 : 0, side == 1 ? 1 : side == 3 ? -1 : 0);
+        for (int i = 0; i < size; i += LEAST_SIZE) {
+            ivec2 r = p + from + i * along;
+            ivec2 pixel = tile + r;
+            uint slot = slots[side == 2 ? 3 : side == 3 ? 2 : side];
+            if (i > 0) {
+                slot = NONE;
+                if (all(lessThan(pixel, ivec2(view.size.xy))) && is_member(q.component, r)) {
+                    uint mapped = map[map_index(pack_pixel(pixel))];
+                    slot = mapped == 0u || mapped == NONE ? NONE : mapped - 1u;
+                }
+            }
+            if (i == 0 || slot != NONE) {
+                rim[count] = slot;
+                at[count++] = pack_pixel(pixel);
+            }
+        }
+    }
+    uint first = whole ? atomicAdd(draw_vertices, 3u * count) : 0u;
+    if (!whole || first + 3u * count > uint(corners.length())) {
+        leave_to_exact(q, p, tile);
+        return;
+    }
+    uint middle = pack_pixel(tile + p + size / 2);
+    for (uint i = 0u; i < count; i++) {
+        uint j = i + 1u < count ? i + 1u : 0u;
+        corners[first + 3u * i] = uvec4(centre, middle, q.component, 0u);
+        corners[first + 3u * i + 1u] = uvec4(rim[i], at[i], q.component, 0u);
+        corners[first + 3u * i + 2u] = uvec4(rim[j], at[j], q.component, 0u);
+    }
+}

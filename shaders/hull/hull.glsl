@@ -1,0 +1,56 @@
+// hull.glsl: what the passes of the hull share.
+//
+// The image is cut into tiles of 32 x 32 pixels, each tile into components of pixels that are
+// linked (links.comp, components.comp). A component starts as one quad over its tile; a quad is a
+// fan of triangles around its centre. Every vertex is a pixel of its component, the nearest one to
+// where the quad wants it, so that quads share vertices and nothing is interpolated that was not
+// lit. Where the four corners do not predict the centre, the quad is split in four (split.comp).
+#ifndef HULL_GLSL
+#define HULL_GLSL
+
+const int TILE = 32;
+const uint MOST_COMPONENTS = 24u; // in a tile; the pixels of more are lit exactly
+const uint SMALL_COMPONENT = 6u;  // as many pixels or fewer are lit exactly
+const uint LEVELS = 4u;           // quads of 32, 16, 8 and 4 pixels
+const int LEAST_SIZE = TILE >> (LEVELS - 1u);
+const uint NONE = 0xffffffffu;
+
+layout(push_constant) uniform Push
+{
+    uint tiles_x, tiles_y;
+    uint level;           // of the quads that are split next; LEVELS: there are no more
+    uint vertex_capacity;
+    uint quad_first[5];   // of each level in the list of quads, and past the last one
+    float link_plane;     // how far from its neighbour's plane a pixel may be, over its depth
+    float link_cosine;    // of their normals, at least
+    float split;          // error at the centre, over the mean irradiance, that splits a quad
+    float tau, tau_width; // see window.glsl
+    float near_pixels;
+};
+
+struct Quad {
+    uint component;
+    uint origin;   // x + y * 65536: its first pixel
+    uint size;     // pixels a side
+    uint centre;   // pixels, x + y * 65536
+    uvec4 corners; // left top, right top, left bottom, right bottom
+};
+
+uint pack_pixel(ivec2 p)
+{
+    return uint(p.x) | uint(p.y) << 16;
+}
+
+ivec2 unpack_pixel(uint p)
+{
+    return ivec2(p & 0xffffu, p >> 16);
+}
+
+// Where a component's tile begins.
+ivec2 tile_origin(uint component)
+{
+    uint tile = component / MOST_COMPONENTS;
+    return TILE * ivec2(tile % tiles_x, tile / tiles_x);
+}
+
+#endif

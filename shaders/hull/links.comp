@@ -1,0 +1,72 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// links.comp: which neighbouring pixels lie on one surface, as bits: an invocation walks along one
+// row of a tile. On the way it notes the bounds of the row's two halves for choosing near lights.
+#include "../common/frame.glsl"
+#include "hull.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(set = 0, binding = 1) uniform sampler2D position_image;
+layout(set = 0, binding = 2) uniform usampler2D normal_image;
+layout(set = 0, binding = 3, std430) writeonly buffer Links
+{
+    uvec4 links[]; // a row: surface, linked to the right, linked downwards
+};
+layout(set = 0, binding = 4, std430) writeonly buffer RowBounds
+{
+    vec4 row_bounds[]; // half a row: least corner, greatest depth; greatest corner
+};
+
+void fetch(ivec2 p, out vec4 position, out vec3 normal)
+{
+    bool inside = all(lessThan(p, ivec2(view.size.xy)));
+    position = inside ? texelFetch(position_image, p, 0) : vec4(0.0);
+    normal = unpack_normal(inside ? texelFetch(normal_image, p, 0).y : 0u);
+}
+
+// The same surface: neither pixel lies off the other's plane, and their normals agree.
+bool linked(vec4 p, vec3 n, vec4 q, vec3 m)
+{
+    vec3 d = q.xyz - p.xyz;
+    float nearer = min(p.w, q.w);
+    float off = max(abs(dot(n, d)), abs(dot(m, d)));
+    return nearer > 0.0 && off < link_plane * nearer && dot(n, m) > link_cosine;
+}
+
+void main()
+{
+    uint row = gl_GlobalInvocationID.x, tile = row / uint(TILE);
+    if (tile >= tiles_x * tiles_y)
+        return;
+    ivec2 p = TILE * ivec2(tile % tiles_x, tile / tiles_x) + ivec2(0, row % uint(TILE));
+    uint surface = 0u, right = 0u, down = 0u;
+    vec4 low = vec4(3e38, 3e38, 3e38, 0.0);
+    vec3 high = vec3(-3e38);
+    vec4 before = vec4(0.0);
+    vec3 before_normal = vec3(0.0);
+    for (int x = 0; x <= TILE; x++) {
+        vec4 here, below;
+        vec3 normal, below_normal;
+        fetch(p + ivec2(x, 0), here, normal);
+        fetch(p + ivec2(x, 1), below, below_normal);
+        if (x > 0 && linked(before, before_normal, here, normal))
+            right |= 1u << (x - 1);
+        if (x == TILE / 2 || x == TILE) {
+            uint at = 2u * (2u * row + (x == TILE ? 1u : 0u));
+            row_bounds[at] = low;
+            row_bounds[at + 1u] = vec4(high, 0.0);
+            low = vec4(3e38, 3e38, 3e38, 0.0);
+            high = vec3(-3e38);
+        }
+        if (here.w > 0.0 && x < TILE) {
+            surface |= 1u << x;
+            down |= linked(here, normal, below, below_normal) ? 1u << x : 0u;
+            low = vec4(min(low.xyz, here.xyz), max(low.w, here.w));
+            high = max(high, here.xyz);
+        }
+        before = here;
+        before_normal = normal;
+    }
+    links[row] = uvec4(surface, right, down, 0u);
+}

@@ -1,0 +1,114 @@
+// member.glsl: finding and claiming the vertices of a component. Needs hull.glsl, control.glsl and
+// the buffers Links, Masks, Map and VertexPixels.
+#ifndef MEMBER_GLSL
+#define MEMBER_GLSL
+
+bool bit(uint word, int at)
+{
+    return (word >> uint(at) & 1u) != 0u;
+}
+
+uvec4 row_links(ivec2 tile, int y)
+{
+    if (tile.x >= int(tiles_x) || tile.y >= int(tiles_y))
+        return uvec4(0u);
+    return links[(uint(tile.y) * tiles_x + uint(tile.x)) * uint(TILE) + uint(y)];
+}
+
+// Is this pixel of the tile part of the component? x and y may be 32: pixels of the next tiles
+// belong to it if they are linked to one of its own.
+bool is_member(uint component, ivec2 p)
+{
+    const int last = TILE - 1;
+    ivec2 inner = min(p, ivec2(last));
+    if (!bit(masks[component * uint(TILE) + uint(inner.y)], inner.x))
+        return false;
+    if (inner == p)
+        return true;
+    ivec2 tile = tile_origin(component) / TILE;
+    uvec4 row = row_links(tile, inner.y);
+    bool right = bit(row.y, inner.x), down = bit(row.z, inner.x);
+    if (p.y < TILE)
+        return right;
+    if (p.x < TILE)
+        return down;
+    return (right && bit(row_links(tile + ivec2(1, 0), last).z, 0))
+        || (down && bit(row_links(tile + ivec2(0, 1), 0).y, last));
+}
+
+// The member that is nearest to a place in the tile; of equally near ones the first.
+ivec2 nearest_member(uint component, ivec2 p)
+{
+    if (is_member(component, p))
+        return p;
+    ivec2 best = p;
+    int least = 0x7fffffff;
+    uint to = uint(min(p.x, TILE - 1));
+    for (int y = 0; y < TILE; y++) {
+        uint m = masks[component * uint(TILE) + uint(y)];
+        int left = findMSB(m & (0xffffffffu >> (31u - to))), right = findLSB(m & (0xffffffffu << to));
+        int x = left >= 0 && (right < 0 || p.x - left <= right - p.x) ? left : right;
+        int distance2 = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
+        if (m != 0u && distance2 < least) {
+            least = distance2;
+            best = ivec2(x, y);
+        }
+    }
+    return best;
+}
+
+uint map_index(uint pixel)
+{
+    return (pixel >> 16) * view.size.x + (pixel & 0xffffu);
+}
+
+// Place of a vertex in the list; NONE where it has none.
+uint vertex_slot(uint pixel)
+{
+    uint mapped = map[map_index(pixel)];
+    return mapped == NONE ? NONE : mapped - 1u;
+}
+
+#ifndef MEMBER_READ_ONLY
+// Makes the member nearest to a place in the tile a vertex, if it is not one yet.
+uint claim_vertex(uint component, ivec2 p)
+{
+    uint pixel = pack_pixel(tile_origin(component) + nearest_member(component, p));
+    uint at = map_index(pixel);
+    if (map[at] == 0u && atomicCompSwap(map[at], 0u, NONE) == 0u) {
+        uint slot = atomicAdd(vertex_count, 1u);
+        if (slot < vertex_capacity) {
+            vertex_pixels[slot] = pixel;
+            map[at] = slot + 1u;
+        }
+    }
+    return pixel;
+}
+
+// A quad of a component, at a place in its tile, with its vertices.
+Quad make_quad(uint component, ivec2 p, int size)
+{
+    Quad q;
+    q.component = component;
+    q.origin = pack_pixel(tile_origin(component) + p);
+    q.size = uint(size);
+    q.centre = claim_vertex(component, p + size / 2);
+    q.corners.x = claim_vertex(component, p);
+    q.corners.y = claim_vertex(component, p + ivec2(size, 0));
+    q.corners.z = claim_vertex(component, p + ivec2(0, size));
+    q.corners.w = claim_vertex(component, p + size);
+    return q;
+}
+
+#endif
+
+// Does the component have a pixel in this part of its tile?
+bool has_members(uint component, ivec2 p, int size)
+{
+    uint columns = (0xffffffffu >> (32 - size)) << p.x, any = 0u;
+    for (int y = p.y; y < p.y + size; y++)
+        any |= masks[component * uint(TILE) + uint(y)];
+    return (any & columns) != 0u;
+}
+
+#endif

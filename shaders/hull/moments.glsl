@@ -1,0 +1,55 @@
+// moments.glsl: what a triangle of light sends to a point, for every normal at once.
+#ifndef MOMENTS_GLSL
+#define MOMENTS_GLSL
+
+// Moments of the solid angle that a triangle fills.
+struct Moments {
+    float solid_angle; // integral of 1
+    vec3 first;        // of w
+    vec3 squares;      // of w_x^2, w_y^2, w_z^2
+    vec3 products;     // of w_x w_y, w_x w_z, w_y w_z
+};
+
+// One edge's share of the first and second moment; g: cross product of its ends on the unit sphere.
+void edge_moments(vec3 v0, vec3 v1, inout Moments m)
+{
+    vec3 g = cross(v0, v1), s = v0 + v1;
+    float d = dot(v0, v1);
+    float near = angle_over_sine(min(abs(d), 1.0));
+    m.first += 0.5 * g * (d < 0.0 ? PI * inversesqrt(max(dot(g, g), 1e-30)) - near : near);
+    s *= 1.0 / max(1.0 + d, 1e-6);
+    m.squares += g * s;
+    m.products += 0.5 * (g.xxy * s.yzz + s.xxy * g.yzz);
+}
+
+// Not clipped to any horizon. The second moment is a boundary integral too: for every edge the
+// outer product of its plane's normal and the integral of w along the arc.
+Moments light_moments(Light l, vec3 x)
+{
+    vec3 v0 = normalize(l.c.xyz - x), v1 = normalize(l.b.xyz - x), v2 = normalize(l.a.xyz - x);
+    Moments m = Moments(0.0, vec3(0.0), vec3(0.0), vec3(0.0));
+    edge_moments(v0, v1, m);
+    edge_moments(v1, v2, m);
+    edge_moments(v2, v0, m);
+    m.solid_angle = 2.0 * atan(max(dot(v0, cross(v1, v2)), 0.0),
+                               1.0 + dot(v0, v1) + dot(v1, v2) + dot(v2, v0));
+    m.squares = (m.squares + m.solid_angle) / 3.0;
+    m.products /= 3.0;
+    return m;
+}
+
+// Gradient over x of the form factor, by three points on the triangle: exact far from it.
+vec3 form_factor_gradient(Light l, vec3 x, vec3 n)
+{
+    vec3 sum = vec3(0.0), middle = (l.a.xyz + l.b.xyz + l.c.xyz) / 6.0 - x;
+    for (int i = 0; i < 3; i++) {
+        vec3 r = middle + 0.5 * (i == 0 ? l.a.xyz : i == 1 ? l.b.xyz : l.c.xyz);
+        float inv2 = 1.0 / dot(r, r);
+        float up = max(dot(n, r), 0.0), out_of = max(-dot(l.plane.xyz, r), 0.0);
+        vec3 slope = (4.0 * up * out_of * inv2) * r - out_of * n + up * l.plane.xyz;
+        sum += up > 0.0 ? slope * (inv2 * inv2) : vec3(0.0);
+    }
+    return sum * (l.plane.w / (3.0 * PI));
+}
+
+#endif

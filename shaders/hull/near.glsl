@@ -1,0 +1,24 @@
+// near.glsl: bounds of blocks of pixels, and lists of the lights that may be near to them.
+#ifndef NEAR_GLSL
+#define NEAR_GLSL
+
+const int BLOCK = 16;           // pixels a side
+const int SUPER = 4;            // blocks a side of what is culled first
+const uint MOST_NEAR = 48u;     // lights in a block's list; with more the super block's is taken
+
+struct Bounds {
+    vec4 low;  // w: greatest view depth, 0: there is no surface
+    vec4 high;
+};
+
+// Could the light be near to a point within the bounds?
+bool may_be_near(Light l, Bounds b, float mean_irradiance)
+{
+    vec3 middle = light_middle(l), d = middle - clamp(middle, b.low.xyz, b.high.xyz);
+    vec3 normal = l.plane.xyz; // and is any of it in front?
+    vec3 front = mix(b.low.xyz, b.high.xyz, greaterThan(normal, vec3(0.0)));
+    float error = near_error(l, max(dot(d, d), 1e-12), b.low.w, mean_irradiance);
+    return window_place(error) > 0.0 && dot(front - l.a.xyz, normal) >= light_closest;
+}
+
+#endif

@@ -1,0 +1,49 @@
+// vertex.glsl: what a vertex knows of the far light, and what that gives at a point near it.
+//
+// The irradiance at x on a surface with normal n is  n.M n + B.n + c + G.(x - x_v/2),  each
+// coefficient interpolated between vertices: M and B are the radiance's moments up to order 2; c is
+// what they miss at the vertex's own normal, G the gradient over position there and x_v the place
+// of the vertex. With half of the gradient in c, what is linear and quadratic between the vertices
+// comes out exactly, and the vertices need not lie where the quad wanted them.
+#ifndef VERTEX_GLSL
+#define VERTEX_GLSL
+
+const uint VERTEX_WORDS = 11u; // vec4
+
+struct Vertex {
+    vec4 red0, green0, blue0; // M: xx, yy, zz, xy
+    vec4 red1, green1, blue1; // M: xz, yz; B: x, y
+    vec4 b;                   // B: z red, green, blue; w: 0
+    vec4 place;               // x_v/2; c red
+    vec4 gradient0;           // red; c green
+    vec4 gradient1;           // green; c blue
+    vec4 gradient2;           // blue; w: 0
+};
+
+vec3 vertex_irradiance(Vertex v, vec3 x, vec3 n)
+{
+    vec4 s0 = vec4(n * n, 2.0 * n.x * n.y), s1 = vec4(2.0 * n.xy * n.z, n.xy);
+    vec3 d = x - v.place.xyz;
+    vec3 moments = vec3(dot(v.red0, s0) + dot(v.red1, s1), dot(v.green0, s0) + dot(v.green1, s1),
+                        dot(v.blue0, s0) + dot(v.blue1, s1))
+        + v.b.xyz * n.z;
+    return moments + vec3(v.place.w, v.gradient0.w, v.gradient1.w)
+        + vec3(dot(v.gradient0.xyz, d), dot(v.gradient1.xyz, d), dot(v.gradient2.xyz, d));
+}
+
+void vertex_add(inout Vertex v, float weight, Vertex w)
+{
+    v.red0 += weight * w.red0;
+    v.green0 += weight * w.green0;
+    v.blue0 += weight * w.blue0;
+    v.red1 += weight * w.red1;
+    v.green1 += weight * w.green1;
+    v.blue1 += weight * w.blue1;
+    v.b += weight * w.b;
+    v.place += weight * w.place;
+    v.gradient0 += weight * w.gradient0;
+    v.gradient1 += weight * w.gradient1;
+    v.gradient2 += weight * w.gradient2;
+}
+
+#endif
