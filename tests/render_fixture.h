@@ -1,5 +1,4 @@
-/* render_fixture.h: a small scene in memory, the rays that check what is drawn of it, and
- * polygon-to-point form factors in double precision. */
+/* render_fixture.h: a small scene in memory, and rendering it on the software device. */
 #ifndef RENDER_FIXTURE_H
 #define RENDER_FIXTURE_H
 
@@ -8,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "render/render.h"
+#include "render/internal.h"
 
 enum { FIXTURE_MOST = 64 }; /* triangles */
 
@@ -127,80 +126,54 @@ static inline void fixture_make(fixture *f)
     f->scene.rsm_size = 8;
 }
 
-/* Nearest triangle along a ray and its distance, -1 and infinity: none. edge: how close the ray
- * comes to an edge of anything that it meets or nearly meets, as a barycentric coordinate. */
-static inline int fixture_trace(const fixture *f, const double from[3], const double along[3],
-                                double *distance, double *edge)
+static const double pi = 3.14159265358979323846;
+
+static inline int open_device(void **state)
 {
-    int nearest = -1;
-    *distance = INFINITY;
-    *edge = 1;
-    for (size_t t = 0; t < f->scene.triangle_count; t++) {
-        double p[3][3], u[3], v[3], h[3], s[3], q[3];
-        for (int corner = 0; corner < 3; corner++)
-            fixture_corner(f, t, corner, p[corner]);
-        for (int i = 0; i < 3; i++) {
-            u[i] = p[1][i] - p[0][i];
-            v[i] = p[2][i] - p[0][i];
-            s[i] = from[i] - p[0][i];
-        }
-        fixture_cross(along, v, h);
-        double determinant = fixture_dot(u, h);
-        if (fabs(determinant) < 1e-12)
-            continue;
-        fixture_cross(s, u, q);
-        double a = fixture_dot(s, h) / determinant, b = fixture_dot(along, q) / determinant;
-        double at = fixture_dot(v, q) / determinant;
-        double inside = fmin(fmin(a, b), 1 - a - b);
-        if (at > 0)
-            *edge = fmin(*edge, fabs(inside));
-        if (inside >= 0 && at > 0 && at < *distance) {
-            *distance = at;
-            nearest = (int)t;
-        }
+    gpu_device *device = NULL;
+    gpu_device_options options = {.device = "llvmpipe", .validation = true};
+    gpu_status status = gpu_device_open(&options, &device);
+    if (status != GPU_OK && (status != GPU_NO_DEVICE || getenv("CI"))) {
+        fprintf(stderr, "%s\n", gpu_last_error());
+        return 1;
     }
-    return nearest;
+    *state = device;
+    return 0;
 }
 
-/* The part of a hemisphere around n, weighted by its cosine, that a triangle fills seen from x: cut
- * at the horizon corner by corner, then Lambert's sum with acos. Nothing from behind. */
-static inline double fixture_form_factor(double corners[3][3], const double x[3], const double n[3])
+static inline int close_device(void **state)
 {
-    double p[6][3], face[3], side[2][3];
-    int count = 0;
-    for (int i = 0; i < 3; i++) {
-        side[0][i] = corners[1][i] - corners[0][i];
-        side[1][i] = corners[2][i] - corners[0][i];
-    }
-    fixture_cross(side[0], side[1], face);
-    fixture_unit(face);
-    double to_x[3] = {x[0] - corners[0][0], x[1] - corners[0][1], x[2] - corners[0][2]};
-    if (fixture_dot(face, to_x) < 0.002)
+    gpu_device *device = *state;
+    if (!device)
         return 0;
-    for (int corner = 0; corner < 3; corner++) {
-        double a[3], b[3];
-        for (int i = 0; i < 3; i++) {
-            a[i] = corners[corner][i] - x[i];
-            b[i] = corners[(corner + 1) % 3][i] - x[i];
-        }
-        double high = fixture_dot(a, n), low = fixture_dot(b, n);
-        if (high >= 0)
-            memcpy(p[count++], a, sizeof a);
-        if ((high < 0) != (low < 0)) {
-            for (int i = 0; i < 3; i++)
-                p[count][i] = a[i] + (b[i] - a[i]) * high / (high - low);
-            count++;
-        }
-    }
-    double sum = 0;
-    for (int i = 0; i < count; i++) {
-        double g[3], *a = p[i], *b = p[(i + 1) % count];
-        fixture_cross(a, b, g);
-        double length = sqrt(fixture_dot(g, g));
-        if (length > 0)
-            sum -= atan2(length, fixture_dot(a, b)) * fixture_dot(g, n) / length;
-    }
-    return sum > 0 ? sum / (2 * 3.14159265358979323846) : 0;
+    int messages = gpu_message_count(device);
+    if (messages)
+        fprintf(stderr, "validation: %s\n", gpu_messages(device));
+    gpu_device_close(device);
+    return messages != 0;
+}
+
+static inline void check(gpu_status status)
+{
+    if (status != GPU_OK)
+        fail_msg("%s", gpu_last_error());
+}
+
+static inline void make_frame(void **state, const fixture *f, render_options options,
+                              render_frame *frame)
+{
+    if (!*state)
+        skip();
+    check(render_frame_create(*state, &f->scene, &options, frame));
+}
+
+static inline void light_with(render_frame *frame, const char *id, render_statistics *statistics,
+                              float *light)
+{
+    const render_pipeline *pipeline = render_pipeline_find(id);
+    assert_non_null(pipeline);
+    check(render_frame_light(frame, pipeline, NULL, NULL, statistics));
+    check(gpu_image_read(frame->light, light));
 }
 
 #endif

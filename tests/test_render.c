@@ -1,206 +1,12 @@
-/* The core of the renderer on a small scene: the G-buffer against rays, lights against formulas,
- * ground truth against form factors in double precision, counts, resolve and comparison. */
-#include "render_fixture.h"
-
-#include "render/internal.h"
+/* Lighting a small scene: lights against formulas, ground truth against form factors in double
+ * precision, counts, resolve. */
+#include "render_reference.h"
 
 enum { WIDTH = 60, HEIGHT = 34, PIXELS = WIDTH * HEIGHT };
 
-static const double pi = 3.14159265358979323846;
-
-static int open_device(void **state)
-{
-    gpu_device *device = NULL;
-    gpu_device_options options = {.device = "llvmpipe", .validation = true};
-    gpu_status status = gpu_device_open(&options, &device);
-    if (status != GPU_OK && (status != GPU_NO_DEVICE || getenv("CI"))) {
-        fprintf(stderr, "%s\n", gpu_last_error());
-        return 1;
-    }
-    *state = device;
-    return 0;
-}
-
-static int close_device(void **state)
-{
-    gpu_device *device = *state;
-    if (!device)
-        return 0;
-    int messages = gpu_message_count(device);
-    if (messages)
-        fprintf(stderr, "validation: %s\n", gpu_messages(device));
-    gpu_device_close(device);
-    return messages != 0;
-}
-
-static void check(gpu_status status)
-{
-    if (status != GPU_OK)
-        fail_msg("%s", gpu_last_error());
-}
-
-static void make_frame(void **state, const fixture *f, render_options options, render_frame *frame)
-{
-    if (!*state)
-        skip();
-    check(render_frame_create(*state, &f->scene, &options, frame));
-}
-
 static const render_options small = {.width = WIDTH, .height = HEIGHT};
 
-/* ---- The G-buffer -------------------------------------------------------------------- */
-
-static void ray_of_pixel(const render_camera *camera, int x, int y, int width, int height,
-                         double along[3])
-{
-    double forward[3], right[3], up[3], slope = tan(camera->fov_y_deg * pi / 360);
-    for (int i = 0; i < 3; i++)
-        forward[i] = camera->target[i] - camera->eye[i];
-    fixture_unit(forward);
-    fixture_cross(forward, camera->up, right);
-    fixture_unit(right);
-    fixture_cross(right, forward, up);
-    double across = slope * width / height * (2 * (x + 0.5) / width - 1);
-    double down = slope * (2 * (y + 0.5) / height - 1);
-    for (int i = 0; i < 3; i++) /* of length 1 along the view axis */
-        along[i] = forward[i] + across * right[i] - down * up[i];
-}
-
-static void the_gbuffer_agrees_with_rays(void **state)
-{
-    fixture f;
-    fixture_make(&f);
-    render_frame frame;
-    make_frame(state, &f, small, &frame);
-    static float positions[4 * PIXELS];
-    static uint32_t normals[2 * PIXELS];
-    static uint8_t albedos[4 * PIXELS];
-    check(gpu_image_read(frame.position, positions));
-    check(gpu_image_read(frame.normal, normals));
-    check(gpu_image_read(frame.albedo, albedos));
-    int checked = 0, seen[FIXTURE_MOST] = {0}, empty = 0;
-    for (int i = 0; i < PIXELS; i++) {
-        double along[3], depth, edge;
-        ray_of_pixel(&f.scene.camera, i % WIDTH, i / WIDTH, WIDTH, HEIGHT, along);
-        int triangle = fixture_trace(&f, f.scene.camera.eye, along, &depth, &edge);
-        if (edge < 1e-3)
-            continue;
-        checked++;
-        const float *position = positions + 4 * i;
-        if (triangle < 0) {
-            assert_true(position[3] == 0);
-            empty++;
-            continue;
-        }
-        seen[triangle] = 1;
-        assert_near((double)position[3], depth, 2e-5 * depth);
-        for (int k = 0; k < 3; k++) {
-            double expected = f.scene.camera.eye[k] + depth * along[k];
-            assert_near((double)position[k], expected, 2e-5 * depth);
-            double albedo = (double)f.albedos[3 * f.materials[triangle] + (uint32_t)k];
-            assert_near(albedos[4 * i + k] / 255.0, albedo, 0.51 / 255);
-        }
-        double normal[3];
-        fixture_face(&f, (size_t)triangle, normal);
-        double turned = fixture_dot(normal, along) > 0 ? -1 : 1;
-        for (int which = 0; which < 2; which++) {
-            float n[3];
-            unpack_normal(normals[2 * i + which], n);
-            for (int k = 0; k < 3; k++)
-                assert_near((double)n[k], turned * normal[k], 1e-4);
-        }
-    }
-    assert_true(checked > PIXELS * 8 / 10);
-    assert_true(empty > 0);
-    for (size_t t = 0; t < f.scene.triangle_count; t++)
-        assert_true(seen[t]);
-    render_frame_destroy(&frame);
-}
-
-/* The leaning triangle with one smooth normal that is the same everywhere. */
-static void shading_normals_are_the_meshs(void **state)
-{
-    fixture f;
-    fixture_make(&f);
-    double wanted[3] = {0.1, 0.3, 1};
-    fixture_unit(wanted);
-    size_t last = f.scene.triangle_count - 1;
-    for (size_t i = 0; i < 9; i++)
-        f.normals[9 * last + i] = -3 * (float)wanted[i % 3]; /* neither unit nor turned */
-    render_frame frame;
-    make_frame(state, &f, small, &frame);
-    static uint8_t albedos[4 * PIXELS];
-    static uint32_t normals[2 * PIXELS];
-    check(gpu_image_read(frame.albedo, albedos));
-    check(gpu_image_read(frame.normal, normals));
-    int count = 0;
-    double face[3];
-    fixture_face(&f, last, face);
-    for (int i = 0; i < PIXELS; i++) {
-        float shading[3], geometric[3];
-        unpack_normal(normals[2 * i], shading);
-        unpack_normal(normals[2 * i + 1], geometric);
-        double other[3] = {(double)geometric[0], (double)geometric[1], (double)geometric[2]};
-        if (albedos[4 * i] != 255 || fabs(fabs(fixture_dot(face, other)) - 1) > 1e-6)
-            continue;
-        count++;
-        for (int k = 0; k < 3; k++)
-            assert_near((double)shading[k], wanted[k], 1e-4);
-    }
-    assert_true(count > 50);
-    render_frame_destroy(&frame);
-}
-
-static void detail_tilts_shading_normals_only(void **state)
-{
-    fixture f;
-    fixture_make(&f);
-    render_frame frame;
-    render_options options = small;
-    options.detailed_normals = true;
-    make_frame(state, &f, options, &frame);
-    static float positions[4 * PIXELS];
-    static uint32_t normals[2 * PIXELS];
-    check(gpu_image_read(frame.position, positions));
-    check(gpu_image_read(frame.normal, normals));
-    double squares = 0;
-    int count = 0;
-    for (int i = 0; i < PIXELS; i++) {
-        if (!(positions[4 * i + 3] > 0))
-            continue;
-        float n[3], face[3];
-        unpack_normal(normals[2 * i], n);
-        unpack_normal(normals[2 * i + 1], face);
-        double cosine = (double)(n[0] * face[0] + n[1] * face[1] + n[2] * face[2]);
-        assert_true(cosine > 0.3);
-        squares += pow(acos(fmin(cosine, 1)) * 180 / pi, 2);
-        count++;
-    }
-    double tilt = sqrt(squares / count);
-    if (!(tilt > 18 && tilt < 27))
-        fail_msg("normals are tilted by %g degrees", tilt);
-    render_frame_destroy(&frame);
-}
-
 /* ---- Lights -------------------------------------------------------------------------- */
-
-static double light_corners(const light_data *light, double corners[3][3])
-{
-    const float *const places[3] = {light->a, light->b, light->c};
-    double side[2][3], across[3];
-    for (int corner = 0; corner < 3; corner++)
-        for (int i = 0; i < 3; i++)
-            corners[corner][i] = (double)places[corner][i];
-    for (int i = 0; i < 3; i++) {
-        side[0][i] = corners[1][i] - corners[0][i];
-        side[1][i] = corners[2][i] - corners[0][i];
-    }
-    fixture_cross(side[0], side[1], across);
-    double length = sqrt(fixture_dot(across, across));
-    for (int i = 0; i < 3; i++) /* counter-clockwise about the normal */
-        assert_near(across[i] / length, (double)light->plane[i], 1e-5);
-    return length / 2;
-}
 
 static void shadow_map_texels_become_lights(void **state)
 {
@@ -262,15 +68,6 @@ static void shadow_map_texels_become_lights(void **state)
 
 /* ---- Ground truth -------------------------------------------------------------------- */
 
-static void light_with(render_frame *frame, const char *id, render_statistics *statistics,
-                       float *light)
-{
-    const render_pipeline *pipeline = render_pipeline_find(id);
-    assert_non_null(pipeline);
-    check(render_frame_light(frame, pipeline, NULL, NULL, statistics));
-    check(gpu_image_read(frame->light, light));
-}
-
 static void exact_is_the_sum_of_form_factors(void **state)
 {
     fixture f;
@@ -297,21 +94,8 @@ static void exact_is_the_sum_of_form_factors(void **state)
         }
         surfaces++;
         assert_true(light[4 * i + 3] == 1);
-        double x[3], n[3], sum[3] = {0, 0, 0};
-        float unpacked[3];
-        unpack_normal(normals[2 * i], unpacked);
-        for (int k = 0; k < 3; k++) {
-            x[k] = (double)positions[4 * i + k];
-            n[k] = (double)unpacked[k];
-        }
-        for (uint32_t l = 0; l < frame.light_count; l++) {
-            double corners[3][3];
-            light_corners(&lights[l], corners);
-            double factor = fixture_form_factor(corners, x, n);
-            sum[0] += (double)lights[l].a[3] * factor;
-            sum[1] += (double)lights[l].b[3] * factor;
-            sum[2] += (double)lights[l].c[3] * factor;
-        }
+        double sum[3];
+        fixture_irradiance(lights, frame.light_count, positions + 4 * i, normals[2 * i], sum);
         for (int k = 0; k < 3; k++) {
             worst = fmax(worst, fabs((double)light[4 * i + k] - sum[k]));
             brightest = fmax(brightest, sum[k]);
@@ -440,9 +224,6 @@ static void resolve_counts_what_was_lit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_gbuffer_agrees_with_rays),
-        cmocka_unit_test(shading_normals_are_the_meshs),
-        cmocka_unit_test(detail_tilts_shading_normals_only),
         cmocka_unit_test(shadow_map_texels_become_lights),
         cmocka_unit_test(exact_is_the_sum_of_form_factors),
         cmocka_unit_test(unclipped_differs_only_at_the_horizon),

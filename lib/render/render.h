@@ -87,8 +87,8 @@ void render_frame_destroy(render_frame *frame);
 
 /* Radiance to the [0, 1] of a picture before its encoding as sRGB: x = gain * radiance, by channel
  * x (1 + x/16)/(1 + x), so that 4 is white (Reinhard's curve). gain puts the log-average luminance
- * of a coarse grid of pixels at 0.18, lit by a rough estimate from all lights on the host: it
- * depends on the scene and the view, not on the pipeline, and little on the size. */
+ * of a coarse grid of exactly lit pixels at 0.18: it depends on the scene and the view, not on the
+ * pipeline, and little on the size. */
 float render_tone(double gain, float radiance);
 
 /* ---- Pipelines ----------------------------------------------------------------------- */

@@ -14,7 +14,7 @@ float render_tone(double gain, float radiance)
     return (float)(y < 1 ? y : 1);
 }
 
-/* What is dark counts as a thousandth of the mean, so that black pixels do not decide. */
+/* What is dark counts as a tenth of the mean, so that a black background does not decide. */
 static double gain_of(const float *luminances)
 {
     double sum = 0, logs = 0;
@@ -26,7 +26,7 @@ static double gain_of(const float *luminances)
         }
     if (!(sum > 0) || isinf(sum))
         return 1;
-    double least = 1e-3 * sum / count;
+    double least = 0.1 * sum / count;
     for (int i = 0; i < GRID_SIZE; i++)
         if (luminances[i] >= 0)
             logs += log((double)luminances[i] + least);
