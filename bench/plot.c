@@ -48,13 +48,15 @@ static void numbers(FILE *out, const data_table *data)
 
 static void series(FILE *out, const plot *plot, const plot_series *s)
 {
-    static const char *const dashes[] = {"", " dt (7,4)", " dt (2,3)", ""};
+    static const char *const dashes[] = {"", " dt (7,4)", " dt (2,3)", "", ""};
     double width = s->width > 0.0 ? s->width : 2.0;
     /* of points every second one: they stand for a curve and need not touch */
     fprintf(out, "$data%s using %d:%d with %s lc rgb \"#%06x\" lw %g%s",
             s->style == PLOT_POINTS ? " every 2" : "", plot->x + 1, s->y + 1,
-            s->style == PLOT_POINTS ? "points pt 7 ps 0.45" : "lines", (unsigned)s->colour, width,
-            dashes[s->style]);
+            s->style == PLOT_MARKS    ? "points pt 7 ps 0.7"
+            : s->style == PLOT_POINTS ? "points pt 7 ps 0.45"
+                                      : "lines",
+            (unsigned)s->colour, width, dashes[s->style]);
     if (s->label) {
         fputs(" title ", out);
         quoted(out, s->label);

@@ -14,7 +14,8 @@
 /* Colours 1 to 10 tell things apart; 11 to 18 are a scale from low to high. */
 enum { PLOT_INK = 10, PLOT_SCALE = 11, PLOT_SCALE_STEPS = 8 };
 
-typedef enum plot_style { PLOT_LINE, PLOT_DASHED, PLOT_DOTTED, PLOT_POINTS } plot_style;
+/* Points are drawn of every second row of a dense curve, marks of every row. */
+typedef enum plot_style { PLOT_LINE, PLOT_DASHED, PLOT_DOTTED, PLOT_POINTS, PLOT_MARKS } plot_style;
 
 typedef struct plot_series {
     const char *label; /* NULL: drawn, but left out of the legend */
