@@ -172,7 +172,7 @@ static inline void light_with(render_frame *frame, const char *id, render_statis
 {
     const render_pipeline *pipeline = render_pipeline_find(id);
     assert_non_null(pipeline);
-    check(render_frame_light(frame, pipeline, NULL, NULL, statistics));
+    check(render_frame_light(frame, pipeline, statistics));
     check(gpu_image_read(frame->light, light));
 }
 

@@ -201,7 +201,7 @@ static void resolve_counts_what_was_lit(void **state)
     render_frame frame;
     make_frame(state, &f, small, &frame);
     render_statistics statistics;
-    check(render_frame_light(&frame, &half, NULL, NULL, &statistics));
+    check(render_frame_light(&frame, &half, &statistics));
     static float positions[4 * PIXELS], light[4 * PIXELS];
     check(gpu_image_read(frame.position, positions));
     check(gpu_image_read(frame.light, light));

@@ -120,21 +120,13 @@ gpu_status render_frame_run(render_frame *frame, const render_pipeline *pipeline
 }
 
 gpu_status render_frame_light(render_frame *frame, const render_pipeline *pipeline,
-                              const char *dump, bool *dumped, render_statistics *statistics)
+                              render_statistics *statistics)
 {
-    *statistics = frame->made;
-    if (dumped)
-        *dumped = true;
     void *state = NULL;
     gpu_status status = pipeline->create(frame, &state);
     if (status != GPU_OK)
         return status;
     status = render_frame_run(frame, pipeline, state, statistics);
-    if (status == GPU_OK && dump && pipeline->dump) {
-        bool written = pipeline->dump(frame, state, dump);
-        if (dumped)
-            *dumped = written;
-    }
     pipeline->destroy(state);
     return status;
 }

@@ -36,7 +36,7 @@ gpu_status gbuffer_create(gpu_device *device, uint32_t width, uint32_t height, g
 void gbuffer_destroy(gbuffer *images);
 gpu_status geometry_create(gpu_device *device, const render_scene *scene, geometry *geometry);
 void geometry_destroy(geometry *geometry);
-/* ms: the median time of that many runs */
+/* ms: the median time of that many runs, as by render_run */
 gpu_status geometry_draw(const geometry *geometry, gpu_buffer *view, const gbuffer *images,
                          bool detailed, int runs, double *ms);
 

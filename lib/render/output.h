@@ -33,6 +33,10 @@ bool output_dump(const char *folder, const output_frame *out, double gain);
 /* Values from 0 to 1 as colours: black, violet, red, yellow, white; 1 float a pixel, scaled. */
 bool output_false_colour(const char *path, int width, int height, const float *values, float scale);
 
+/* CSV with columns lambda, cos_theta and weight: the points, as a pipeline's profile gives them,
+ * with those that are close to each other merged into their mean. */
+bool output_profile(const char *path, const float *points, size_t count);
+
 /* Counts and times, as the keys that README lists. */
 void output_statistics(cJSON *object, const render_statistics *statistics);
 void output_comparison(cJSON *object, const render_comparison *comparison);

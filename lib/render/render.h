@@ -47,7 +47,8 @@ typedef struct render_options {
     uint32_t width, height;
     const char *method;    /* of the registry, for passes that integrate lobes; NULL: "standard" */
     bool detailed_normals; /* strong procedural detail on the shading normals */
-    int runs;              /* of which times are the medians; 0 counts as 1 */
+    int runs; /* of which times are the medians, after one that does not count where they are more
+                 than one; 0 counts as 1 */
 } render_options;
 
 typedef struct render_frame {
@@ -103,6 +104,10 @@ typedef struct render_pipeline {
     /* Writes an image of every stage into a folder; NULL: has none. False after one line. */
     bool (*dump)(render_frame *frame, void *state, const char *folder);
     void (*destroy)(void *state);
+    /* What the frame integrates by the fitted form: 3 floats each, lambda, cos_theta and a weight
+     * that is the square of the luminance of the lobe's flux (so that weighted squares of errors
+     * of L are squares of errors of the image); free() points. NULL: integrates no lobes. */
+    gpu_status (*profile)(render_frame *frame, void *state, float **points, size_t *count);
 } render_pipeline;
 
 extern const render_pipeline *const render_pipelines[];      /* ends with NULL */
@@ -119,11 +124,9 @@ gpu_status render_run(render_frame *frame, const gpu_step *steps, int count,
 gpu_status render_frame_run(render_frame *frame, const render_pipeline *pipeline, void *state,
                             render_statistics *statistics);
 
-/* All of it for one pipeline: creates it, clears frame->light, runs it, resolves into frame->image
- * and destroys it. The statistics start as frame->made. dump: folder for the images of the stages;
- * NULL: none; *dumped tells (where not NULL) if that worked. */
+/* The same with its creation before and its destruction after it. */
 gpu_status render_frame_light(render_frame *frame, const render_pipeline *pipeline,
-                              const char *dump, bool *dumped, render_statistics *statistics);
+                              render_statistics *statistics);
 
 /* A compute pipeline from shaders/: its words, or where method is true the text with the frame's
  * method. */

@@ -15,7 +15,7 @@
 
 typedef struct settings {
     const char *scene, *scene_dir, *pipeline, *size, *compare, *method, *device;
-    const char *out, *png, *stats, *dump;
+    const char *out, *png, *stats, *dump, *profile;
     bool layers, detailed;
     long runs;
 } settings;
@@ -83,6 +83,8 @@ static int read_arguments(int argc, char **argv, settings *s)
         {"stats", BASE_STRING, &s->stats, "FILE.json",
          "write the statistics there, not to standard output", NULL},
         {"dump", BASE_STRING, &s->dump, "DIR", "write a picture of every stage", NULL},
+        {"profile", BASE_STRING, &s->profile, "FILE.csv",
+         "write what the frame integrates, for sgfit choose and sgfit fit", NULL},
         {"device", BASE_STRING, &s->device, "NAME",
          "part of the Vulkan device's name (default: llvmpipe, the software driver)", NULL},
     };
@@ -108,7 +110,7 @@ static bool compare(render_frame *frame, const char *id, output_frame *out, cJSO
 {
     const render_pipeline *truth = render_pipeline_find(id);
     render_statistics statistics;
-    if (!is_good(render_frame_light(frame, truth, NULL, NULL, &statistics)) ||
+    if (!is_good(render_frame_light(frame, truth, &statistics)) ||
         !is_good(output_read_image(frame->light, &out->truth)))
         return false;
     size_t pixels = (size_t)out->width * (size_t)out->height;
@@ -158,15 +160,35 @@ static bool write_all(const settings *s, const output_frame *out, double gain, c
            (!s->dump || output_dump(s->dump, out, gain)) && write_statistics(s, json);
 }
 
+/* A frame by the pipeline, and what only that can tell of it. */
+static bool light(const settings *s, render_frame *frame, const render_pipeline *pipeline,
+                  render_statistics *statistics)
+{
+    void *state = NULL;
+    if (!is_good(pipeline->create(frame, &state)))
+        return false;
+    bool good = is_good(render_frame_run(frame, pipeline, state, statistics));
+    if (good && s->dump && pipeline->dump)
+        good = pipeline->dump(frame, state, s->dump);
+    if (good && s->profile) {
+        float *points = NULL;
+        size_t count = 0;
+        good = is_good(pipeline->profile(frame, state, &points, &count)) &&
+               output_profile(s->profile, points, count);
+        free(points);
+    }
+    pipeline->destroy(state);
+    return good;
+}
+
 static bool light_and_write(const settings *s, render_frame *frame, const render_pipeline *pipeline)
 {
     cJSON *json = cJSON_CreateObject();
     output_frame out = {0};
     render_statistics statistics;
-    bool dumped = true;
     describe(s, frame, pipeline, json);
-    bool good = is_good(render_frame_light(frame, pipeline, s->dump, &dumped, &statistics)) &&
-                dumped && is_good(output_read(frame, s->layers || s->dump, &out));
+    bool good = light(s, frame, pipeline, &statistics) &&
+                is_good(output_read(frame, s->layers || s->dump, &out));
     if (good) {
         output_statistics(json, &statistics);
         good = !s->compare || compare(frame, s->compare, &out, json);
@@ -211,6 +233,11 @@ int render_command(int argc, char **argv)
     options.runs = (int)s.runs;
     if (s.method && !sg_method_find(s.method)) {
         base_error("--method: expected one that sgfit methods lists, found \"%s\"", s.method);
+        return BASE_USAGE;
+    }
+    if (s.profile && !pipeline->profile) {
+        base_error("--profile: expected a pipeline that integrates lobes, %s does not",
+                   pipeline->id);
         return BASE_USAGE;
     }
     if (s.layers && !s.out) {

@@ -92,15 +92,17 @@ gpu_status render_run(render_frame *frame, const gpu_step *steps, int count,
                       render_statistics *statistics)
 {
     int runs = frame->options.runs > 0 ? frame->options.runs : 1;
+    int warm = runs > 1; /* drivers compile shaders when these run for the first time */
     size_t stride = (size_t)count;
     double *times = calloc((size_t)runs * stride + (size_t)runs, sizeof *times);
     if (!times)
         return gpu_fail(GPU_OUT_OF_MEMORY, "running passes: out of host memory");
     double *column = times + (size_t)runs * stride;
-    base_progress *progress = base_progress_begin("rendering", (size_t)runs * stride);
+    base_progress *progress = base_progress_begin("rendering", (size_t)(runs + warm) * stride);
     gpu_status status = GPU_OK;
-    for (int run = 0; status == GPU_OK && run < runs; run++)
-        status = run_once(frame, steps, count, times + (size_t)run * stride, progress);
+    for (int run = -warm; status == GPU_OK && run < runs; run++)
+        status =
+            run_once(frame, steps, count, times + (size_t)(run < 0 ? 0 : run) * stride, progress);
     base_progress_end(progress);
     for (int i = 0; status == GPU_OK && i < count; i++) {
         if (times[i] < 0)
