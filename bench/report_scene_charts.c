@@ -52,6 +52,11 @@ typedef struct chart {
     const char *filter, *value; /* rows whose column filter is value; NULL: all */
 } chart;
 
+/* Colours are those of this order, so that a pipeline has one colour in all charts. */
+static const char *const known[] = {"hull",      "hull_lobe", "meder",        "upsample2",
+                                    "upsample4", "upsample8", "upsample_sh8", "upsample_far"};
+enum { KNOWN = sizeof known / sizeof *known };
+
 static int series_of(char names[MOST_SERIES][64], int *count, const char *pipeline)
 {
     for (int i = 0; i < *count; i++)
@@ -77,7 +82,7 @@ static bool read_chart(report *report, const chart *c, data_table *data,
         double row[MOST_SERIES + 1], x, y;
         const char *pipeline = r.csv.fields[columns[2]];
         if ((c->filter && strcmp(r.csv.fields[columns[3]], c->value) != 0) ||
-            strcmp(pipeline, "exact") == 0 || strcmp(pipeline, "limit") == 0 ||
+            strncmp(pipeline, "exact", 5) == 0 || strcmp(pipeline, "limit") == 0 ||
             !base_parse_f64(r.csv.fields[columns[0]], r.csv.lengths[columns[0]], &x) ||
             !base_parse_f64(r.csv.fields[columns[1]], r.csv.lengths[columns[1]], &y) || !(y > 0.0))
             continue;
@@ -93,22 +98,33 @@ static bool read_chart(report *report, const chart *c, data_table *data,
     return good && more == 0;
 }
 
+static bool has_any(const data_table *data, size_t column)
+{
+    for (size_t r = 0; r < data->rows; r++)
+        if (!isnan(data_at(data, r, column)))
+            return true;
+    return false;
+}
+
 static bool draw_chart(report *report, const chart *c, plot *p)
 {
     static const char *const columns[] = {"x",  "s1", "s2", "s3", "s4", "s5",
                                           "s6", "s7", "s8", "s9", NULL};
     char names[MOST_SERIES][64];
-    int count = 0;
+    int count = 0, drawn = 0;
+    while (count < KNOWN)
+        series_of(names, &count, known[count]);
     data_table *data = data_new(columns);
     bool good = read_chart(report, c, data, names, &count);
     plot_series series[MOST_SERIES];
     for (int i = 0; i < count; i++)
-        series[i] = (plot_series){names[i], 1 + i, 1 + i, PLOT_MARKS, 2};
+        if (has_any(data, (size_t)i + 1))
+            series[drawn++] = (plot_series){names[i], 1 + i, 1 + i, PLOT_MARKS, 2};
     p->data = data;
     p->series = series;
-    p->series_count = (size_t)count;
+    p->series_count = (size_t)drawn;
     p->x_log = p->y_log = true;
-    good = good && (count == 0 || figure_panel(report->page, p));
+    good = good && (drawn == 0 || figure_panel(report->page, p));
     data_free(data);
     return good;
 }
