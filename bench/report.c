@@ -90,7 +90,7 @@ int report_command(int argc, char **argv)
         {"scenes", BASE_STRING, &scenes, "DIR",
          "what sgfit bench --scenes wrote: adds what the fits are worth in a picture", NULL},
         {"readme", BASE_STRING, &readme, "FILE",
-         "rewrite the block of figures in FILE, and tables/out/chart.svg beside it", NULL},
+         "rewrite the block of figures in FILE, and the pictures in tables/out beside it", NULL},
         {"root", BASE_STRING, &root, "DIR", "the source tree, for tables/constants", NULL},
     };
     static const base_usage usage = {
@@ -111,7 +111,7 @@ int report_command(int argc, char **argv)
     /* Work is not begun for a folder that cannot be written, or without the means to draw. */
     if (!gnuplot_there())
         return BASE_FAILED;
-    if (readme && !report_readme(readme))
+    if (readme && !report_readme(readme, scenes))
         return BASE_FAILED;
     if (!out)
         return BASE_DONE;

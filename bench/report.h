@@ -54,9 +54,10 @@ bool report_has_tried(const report *report);
 bool report_maps(report *report);
 void report_csv_table(report *report, const char *name, const char *caption);
 
-/* report_readme.c: rewrites the block of figures in a README.md, and tables/out/chart.svg beside
- * it. False after one line. */
-bool report_readme(const char *path);
+/* report_readme.c: rewrites the block of figures in a README.md, and in tables/out beside it
+ * chart.svg and, where scenes is the folder that `sgfit bench --scenes` wrote, the pictures of the
+ * built-in scene. False after one line. */
+bool report_readme(const char *path, const char *scenes);
 
 /* `sgfit report`. */
 int report_command(int argc, char **argv);

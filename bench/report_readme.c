@@ -85,28 +85,48 @@ static char *replaced(const char *path, const char *text, const chart *chart)
     return result;
 }
 
-/* tables/out/chart.svg beside the file, which its link leads to. */
-static char *picture_path(const char *readme)
+/* tables/out/NAME beside the file, where its links lead to; NULL after one line. */
+static char *picture_path(const char *readme, const char *name)
 {
     const char *slash = strrchr(readme, '/');
     char *folder = slash ? strndup(readme, (size_t)(slash - readme + 1)) : strdup(".");
     char *path = folder ? base_join(folder, "tables/out") : NULL;
     free(folder);
-    char *file = path && base_make_directory(path) ? base_join(path, "chart.svg") : NULL;
+    char *file = path && base_make_directory(path) ? base_join(path, name) : NULL;
     free(path);
     return file;
 }
 
-bool report_readme(const char *path)
+/* The pictures that README.md shows, of those that `sgfit bench --scenes` wrote. */
+static bool copy_pictures(const char *readme, const char *scenes)
+{
+    static const char *const names[] = {"box_exact.png", "box_hull.png", "box_hull_errors.png"};
+    char *folder = base_join(scenes, "pictures");
+    bool good = true;
+    for (size_t i = 0; i < sizeof names / sizeof *names && good; i++) {
+        char *from = base_join(folder, names[i]), *to = picture_path(readme, names[i]);
+        size_t size = 0;
+        char *bytes = to ? base_read_file(from, &size) : NULL;
+        good = bytes && base_write_file(to, bytes, size);
+        free(from);
+        free(to);
+        free(bytes);
+    }
+    free(folder);
+    return good;
+}
+
+bool report_readme(const char *path, const char *scenes)
 {
     chart chart;
     bool done = chart_committed(&chart);
     char *text = done ? base_read_file(path, NULL) : NULL;
     char *written = text ? replaced(path, text, &chart) : NULL;
     char *svg = written ? chart_svg(&chart, false) : NULL;
-    char *picture = svg ? picture_path(path) : NULL;
+    char *picture = svg ? picture_path(path, "chart.svg") : NULL;
     done = picture && base_write_file(picture, svg, strlen(svg)) &&
-           base_write_file(path, written, strlen(written));
+           base_write_file(path, written, strlen(written)) &&
+           (!scenes || copy_pictures(path, scenes));
     free(picture);
     free(svg);
     free(written);
