@@ -214,8 +214,13 @@ static bool certify(quantity what, double lambda, double direction, bool by_cosi
     if (what == QUANTITY_C || what == QUANTITY_S) {
         /* what the differences of the definition take away */
         double left = fmin(lambda, 1.0) * (1.0 - fabs(z));
-        if (!(left > 1e-60))
+        if (!(left > 1e-60)) {
+            /* A_h rises from A_b to A_u, and s = 2 (L(-|z|) - L(-1))/(m (1 - |z|)) depends on |z|
+             * alone, where c <= 1 reads s <= 2. */
+            *lower = 0.0;
+            *upper = what == QUANTITY_C ? 1.0 : 2.0;
             return false;
+        }
         goal += (slong)(-3.0 * log2(left)) + (slong)log2(1.0 + lambda);
     }
     slong bits = working_bits(lambda, goal);

@@ -169,6 +169,13 @@ static void enclosures(void **state)
                     upper >= sg_A_u(lambda) * (1.0 - 1e-15));
         assert_true(upper <= lower * (1.0 + 3.0 * DBL_EPSILON));
     }
+    /* where c and s read 0/0 in any precision within reach, bounds that hold all the same */
+    assert_false(sgfit_certified_c_cos(1e-70, -0.5, &lower, &upper));
+    assert_true(lower >= 0.0 && upper <= 1.0 && lower <= sg_c_cos(1e-70, -0.5) &&
+                sg_c_cos(1e-70, -0.5) <= upper);
+    assert_false(sgfit_certified_s_cos(1e-70, -0.5, &lower, &upper));
+    assert_true(lower >= 0.0 && upper <= 2.0 && lower <= sg_s_cos(1e-70, -0.5) &&
+                sg_s_cos(1e-70, -0.5) <= upper);
     assert_false(sgfit_certified_A_h(-1.0, 1.0, &lower, &upper));
     assert_false(sgfit_certified_A_h(1.0, 3.2, &lower, &upper));
     assert_false(sgfit_certified_H_cos(1.0, 1.0000001, &lower, &upper));
