@@ -22,7 +22,7 @@ static seen look(render_frame *frame, const render_pipeline *pipeline, const cha
     float *light = malloc(pixels * 16), *position = malloc(pixels * 16),
           *image = malloc(pixels * 16);
     render_statistics statistics;
-    gpu_status status = render_frame_light(frame, pipeline, NULL, NULL, &statistics);
+    gpu_status status = render_frame_light(frame, pipeline, &statistics);
     if (status == GPU_UNSUPPORTED && strcmp(pipeline->id, "shadows") == 0 &&
         frame->scene->area_light_count == 0) { /* those of area lights alone */
         free(light);
@@ -73,7 +73,7 @@ static bool is_variant(const char *id)
     return false;
 }
 
-/* One scene by all pipelines, with detailed normals by ground truth alone; what that saw without.
+/* One scene by all pipelines; every: the variants and detailed normals too. What ground truth saw.
  */
 static seen look_by_all(const char *path, const char *name, uint32_t width, uint32_t height,
                         bool every)

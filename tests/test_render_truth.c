@@ -38,8 +38,7 @@ static picture take_picture(const render_scene *scene, int width, int height)
     render_statistics statistics;
     picture made = {width, height, (size_t)width * (size_t)height, NULL, NULL, NULL, 0};
     if (render_frame_create(device, scene, &options, &frame) != GPU_OK ||
-        render_frame_light(&frame, render_pipeline_find("exact"), NULL, NULL, &statistics) !=
-            GPU_OK)
+        render_frame_light(&frame, render_pipeline_find("exact"), &statistics) != GPU_OK)
         fail_msg("%s", gpu_last_error());
     made.position = malloc(made.pixels * 16);
     made.light = malloc(made.pixels * 16);
