@@ -1,6 +1,7 @@
 /* The table of pipelines. */
 #include "hull.h"
 #include "internal.h"
+#include "meder.h"
 #include "shadows.h"
 #include "upsample.h"
 
@@ -10,6 +11,7 @@ const render_pipeline *const render_pipelines[] = {
     &exact_pipeline,
     &exact_unclipped_pipeline,
     &limit_pipeline,
+    &meder_pipeline,
     /* from few points */
     &hull_pipeline,
     &upsample2_pipeline,
