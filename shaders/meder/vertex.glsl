@@ -24,33 +24,31 @@ struct Corner {
     Box box;
 };
 
-// The position is taken from the G-buffer at the corner. Where it lies outside the box, the mean of
-// the points where the view ray meets the box's planes takes its place: on the screen that ray
-// is the line along depth through the corner, and the planes are those of nearest and farthest
-// depth.
+// What a depth may change by where it is projected again: some 16 steps of a float below 1. The
+// paper blames its test without any for visible errors.
+const float rounding = 1e-6;
+
+// The position is taken from the G-buffer at the corner: at the pixel of the box's own last texel
+// there. Where its projection lies outside the box, the mean of the points where the view ray meets
+// the box's planes takes its place: on the screen that ray is the line along depth through the
+// corner, and the planes are those of nearest and farthest depth.
 Corner corner_of(int vertex)
 {
     Corner c;
     c.box = boxes[quads[vertex / 4]];
-    uvec2 at = uvec2((vertex & 1) != 0 ? c.box.high.x + 1u : c.box.low.x,
-                     (vertex & 2) != 0 ? c.box.high.y + 1u : c.box.low.y);
-    vec2 ndc = 2.0 * vec2(at) / float(SIDE) - 1.0;
-    // the pixel at the corner, of the four around it the one inside the box
-    uvec2 size = view.size.xy;
-    uvec2 pixel = uvec2((vertex & 1) != 0 ? (at.x * size.x + SIDE - 1u) / SIDE - 1u
-                                          : at.x * size.x / SIDE,
-                        (vertex & 2) != 0 ? (at.y * size.y + SIDE - 1u) / SIDE - 1u
-                                          : at.y * size.y / SIDE);
-    c.before = texelFetch(position_image, ivec2(pixel), 0);
+    bvec2 high = bvec2((vertex & 1) != 0, (vertex & 2) != 0);
+    uvec2 texel = mix(c.box.low, c.box.high, high);
+    vec2 ndc = 2.0 * vec2(texel + uvec2(high)) / float(SIDE) - 1.0; // the texel's outer corner
+    c.before = texelFetch(position_image, pixel_of_texel(ivec2(texel), view.size.xy), 0);
     vec4 clip = view.clip_from_world * vec4(c.before.xyz, 1.0);
     vec3 screen = vec3((0.5 * clip.xy / clip.w + 0.5) * float(SIDE), clip.z / clip.w);
-    float z_low = uintBitsToFloat(c.box.z_low), z_high = uintBitsToFloat(c.box.z_high);
-    // a pixel's centre is not its corner: across, a pixel of tolerance
-    vec2 slack = float(SIDE) / vec2(size);
+    vec2 z = vec2(uintBitsToFloat(c.box.z_low), uintBitsToFloat(c.box.z_high));
+    // where a pixel is larger than a texel its centre may be outside of a box it belongs to
+    vec3 slack = vec3(float(SIDE) / vec2(view.size.xy), rounding);
     c.corrected = !(c.before.w > 0.0
-        && all(greaterThanEqual(screen, vec3(vec2(c.box.low) - slack, z_low)))
-        && all(lessThanEqual(screen, vec3(vec2(c.box.high + 1u) + slack, z_high))));
-    vec4 middle = view.world_from_clip * vec4(ndc, 0.5 * (z_low + z_high), 1.0);
+        && all(greaterThanEqual(screen, vec3(c.box.low, z.x) - slack))
+        && all(lessThanEqual(screen, vec3(c.box.high + 1u, z.y) + slack)));
+    vec4 middle = view.world_from_clip * vec4(ndc, 0.5 * (z.x + z.y), 1.0);
     c.position = c.corrected ? middle.xyz / middle.w : c.before.xyz;
     // drawn at the corner itself, with the depth and the perspective of the position
     c.clip = view.clip_from_world * vec4(c.position, 1.0);
