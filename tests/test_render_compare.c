@@ -1,5 +1,10 @@
-/* render_compare on arrays made by hand, and the curve of the pictures. */
+/* render_compare on arrays made by hand, the curve of the pictures, and the file of what a frame
+ * integrates. */
 #include "render_fixture.h"
+#include "workspace.h"
+
+#include "base/csv.h"
+#include "render/output.h"
 
 static void one_pixel_is_its_error_over_the_mean(void **state)
 {
@@ -87,6 +92,38 @@ static void the_curve_rises_from_black_to_white(void **state)
         assert_true(render_tone(1, x) < render_tone(1, x + 0.01F) || x > 3.98F);
 }
 
+/* Two points of one cell become their weighted mean, others stay as they are, and what cannot be
+ * integrated is left out; weights become shares. */
+static void profiles_merge_what_is_close(void **state)
+{
+    (void)state;
+    static const float points[] = {10, 0.5F,  3,  10.1F,    0.501F, 1, 200, -1,    4,
+                                   0,  0,     1,  1,        NAN,    1, 1,   0.25F, 0,
+                                   1,  0.25F, -1, INFINITY, 0,      1, NAN, 0,     1};
+    workspace at;
+    workspace_open(&at);
+    const char *path = workspace_path(&at, "profile.csv");
+    assert_true(output_profile(path, points, sizeof points / sizeof *points / 3));
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    base_csv csv;
+    assert_true(base_csv_open(&csv, file, path));
+    const double expected[2][3] = {{10.0249, 0.50025, 0.5}, {200, -1, 0.5}};
+    for (int row = 0; row < 2; row++) {
+        assert_int_equal(base_csv_next(&csv), 1);
+        static const char *const names[3] = {"lambda", "cos_theta", "weight"};
+        for (int i = 0; i < 3; i++) {
+            double value;
+            assert_true(base_csv_f64(&csv, base_csv_column(&csv, names[i]), &value));
+            assert_near(value, expected[row][i], 1e-4 * fabs(expected[row][i]));
+        }
+    }
+    assert_int_equal(base_csv_next(&csv), 0);
+    base_csv_close(&csv);
+    fclose(file);
+    workspace_close(&at);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -95,6 +132,7 @@ int main(void)
         cmocka_unit_test(only_covered_pixels_count),
         cmocka_unit_test(nothing_and_darkness_are_no_error),
         cmocka_unit_test(the_curve_rises_from_black_to_white),
+        cmocka_unit_test(profiles_merge_what_is_close),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

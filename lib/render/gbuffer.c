@@ -1,8 +1,11 @@
 /* The scene's triangles on the device, drawn into position, normals and albedo. */
 #include "internal.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "base/buffer.h"
 
 gpu_status gbuffer_create(gpu_device *device, uint32_t width, uint32_t height, gbuffer *images)
 {
@@ -35,6 +38,39 @@ static gpu_status upload(gpu_device *device, const void *bytes, size_t size, gpu
     return status;
 }
 
+/* The normal of a triangle by the order of its corners: of length 1, 0 for one without area, NaN
+ * where a corner is not finite. */
+static void face_normal(const render_scene *scene, size_t triangle, float normal[3])
+{
+    const float *corners[3];
+    double side[2][3], across[3], square = 0;
+    for (size_t corner = 0; corner < 3; corner++)
+        corners[corner] = scene->positions + 3 * (size_t)scene->indices[3 * triangle + corner];
+    for (int i = 0; i < 3; i++) {
+        side[0][i] = (double)corners[1][i] - (double)corners[0][i];
+        side[1][i] = (double)corners[2][i] - (double)corners[0][i];
+    }
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        across[i] = side[0][j] * side[1][k] - side[0][k] * side[1][j];
+        square += across[i] * across[i];
+    }
+    double scale = isfinite(square) ? square > 0 ? 1 / sqrt(square) : 0 : (double)NAN;
+    for (int i = 0; i < 3; i++)
+        normal[i] = isnan(scale) ? NAN : (float)(across[i] * scale);
+}
+
+static gpu_status upload_faces(geometry *out, const render_scene *scene)
+{
+    float *faces = base_allocate((scene->triangle_count + 1) * 3 * sizeof *faces);
+    for (size_t i = 0; i < scene->triangle_count; i++)
+        face_normal(scene, i, faces + 3 * i);
+    gpu_status status =
+        upload(out->device, faces, scene->triangle_count * 3 * sizeof *faces, &out->faces);
+    free(faces);
+    return status;
+}
+
 gpu_status geometry_create(gpu_device *device, const render_scene *scene, geometry *out)
 {
     *out = (geometry){.device = device, .corner_count = (uint32_t)(3 * scene->triangle_count)};
@@ -56,13 +92,15 @@ gpu_status geometry_create(gpu_device *device, const render_scene *scene, geomet
         if (status == GPU_OK)
             status = upload(device, arrays[i].bytes, arrays[i].size, arrays[i].buffer);
     }
+    if (status == GPU_OK)
+        status = upload_faces(out, scene);
     if (status != GPU_OK)
         return status;
     gpu_draw_options options = {
         .name = "gbuffer",
         .vertex = render_shader("gbuffer/gbuffer.vert"),
         .fragment = render_shader("gbuffer/gbuffer.frag"),
-        .binding_count = 6, /* all of them storage buffers */
+        .binding_count = 7, /* all of them storage buffers */
         .push_size = sizeof(uint32_t),
         .target_count = 3,
         .targets = {GPU_RGBA32F, GPU_RG32U, GPU_RGBA8},
@@ -79,6 +117,7 @@ void geometry_destroy(geometry *geometry)
     gpu_buffer_destroy(geometry->indices);
     gpu_buffer_destroy(geometry->materials);
     gpu_buffer_destroy(geometry->albedos);
+    gpu_buffer_destroy(geometry->faces);
 }
 
 gpu_status geometry_draw(const geometry *geometry, gpu_buffer *view, const gbuffer *images,
@@ -89,7 +128,7 @@ gpu_status geometry_draw(const geometry *geometry, gpu_buffer *view, const gbuff
         .name = "gbuffer",
         .draw = geometry->draw,
         .resources = {view, geometry->positions, geometry->normals, geometry->indices,
-                      geometry->materials, geometry->albedos},
+                      geometry->materials, geometry->albedos, geometry->faces},
         .push = &push,
         .vertex_count = geometry->corner_count,
         .targets = {images->position, images->normal, images->albedo},

@@ -22,7 +22,7 @@ void view_fill(const render_camera *camera, uint32_t width, uint32_t height, vie
 /* gbuffer.c: the scene's triangles on the device, and drawing them. */
 typedef struct geometry {
     gpu_device *device;
-    gpu_buffer *positions, *normals, *indices, *materials, *albedos;
+    gpu_buffer *positions, *normals, *indices, *materials, *albedos, *faces;
     gpu_draw *draw;
     uint32_t corner_count;
 } geometry;
