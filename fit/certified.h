@@ -21,10 +21,10 @@ bool sgfit_certified_A_h_cos(double lambda, double cos_theta, double *lower, dou
 bool sgfit_certified_H(double lambda, double beta, double *lower, double *upper);
 bool sgfit_certified_H_cos(double lambda, double cos_theta, double *lower, double *upper);
 
-/* L = A_h/A and Meder's c and s, from the enclosure of A_h. Of c the domain is lambda > 0, of s also
- * |cos_theta| < 1: elsewhere their definitions read 0/0. Where min(lambda, 1) (1 - |cos_theta|) is
- * below 1e-60 no enclosure is tried: they return false with what holds everywhere, c in [0, 1] and
- * s in [0, 2]. */
+/* L = A_h/A and Meder's c and s, from the enclosure of A_h. Of c the domain is lambda > 0, of s
+ * also |cos_theta| < 1: elsewhere their definitions read 0/0. Where min(lambda, 1) (1 -
+ * |cos_theta|) is below 1e-60 no enclosure is tried: they return false with what holds everywhere,
+ * c in [0, 1] and s in [0, 2]. */
 bool sgfit_certified_L(double lambda, double beta, double *lower, double *upper);
 bool sgfit_certified_L_cos(double lambda, double cos_theta, double *lower, double *upper);
 bool sgfit_certified_c(double lambda, double beta, double *lower, double *upper);
