@@ -1,0 +1,163 @@
+/* bench --scenes: what it measures of a view, what it writes, and what it refuses. */
+#include <math.h>
+#include <string.h>
+
+#include "base/png.h"
+#include "bench/scenes.h"
+#include "bench/scenes_lobes.h"
+#include "gpu_fixture.h"
+#include "program.h"
+#include "sg.h"
+#include "workspace.h"
+
+enum { WIDTH = 64, HEIGHT = 36 };
+
+static void box(render_scene *scene)
+{
+    char *path = render_scene_default();
+    assert_true(render_scene_read(path, NULL, scene));
+    free(path);
+}
+
+/* What a look saw: calls, and the order of the pipelines. */
+typedef struct seen {
+    int calls;
+    char order[256];
+    double worst;
+} seen;
+
+static bool see(void *context, render_frame *frame, const scenes_row *row, const float *light,
+                const float *truth, const float *errors)
+{
+    seen *s = context;
+    (void)frame;
+    s->calls++;
+    strcat(strcat(s->order, row->pipeline), " ");
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        double off = 0;
+        for (int c = 0; c < 3; c++)
+            off = fmax(off, fabs((double)light[4 * i + c] - (double)truth[4 * i + c]));
+        if (strcmp(row->pipeline, "exact") == 0)
+            s->worst = fmax(s->worst, fmax(off, (double)errors[i]));
+    }
+    return true;
+}
+
+static void test_a_view(void **state)
+{
+    (void)state;
+    static const char *const pipelines[] = {"limit", "upsample2", NULL};
+    gpu_device *device = open_software_device();
+    render_scene scene;
+    box(&scene);
+    scenes_table table = {0};
+    seen s = {0};
+    scenes_view view = {device, &scene, "box", WIDTH, HEIGHT, false, NULL, 3, true};
+    assert_true(scenes_measure(&view, pipelines, see, &s, &table));
+    assert_int_equal(table.count, 3);
+    assert_int_equal(s.calls, 3);
+    assert_string_equal(s.order, "exact limit upsample2 ");
+    assert_true(s.worst == 0);
+    const scenes_row *exact = &table.rows[0], *limit = &table.rows[1], *half = &table.rows[2];
+    assert_true(exact->error.rel == 0 && exact->jump_p99 == 0);
+    assert_int_equal(exact->statistics.light_evaluations,
+                     exact->statistics.ground_truth_evaluations);
+    assert_true(limit->error.rel > 0.5); /* it lights nothing */
+    assert_true(half->error.rel > 0 && half->error.rel < limit->error.rel);
+    assert_true(half->jump_p99 > 0);
+    assert_true(half->lighting_ms > 0 && half->truth_ms == exact->lighting_ms);
+    assert_true(half->frame_ms > 0);
+    scenes_table_free(&table);
+    render_scene_free(&scene);
+    close_clean(device);
+}
+
+static void test_the_files(void **state)
+{
+    (void)state;
+    workspace at;
+    workspace_open(&at);
+    scenes_row row = {.scene = "box",
+                      .pipeline = "hull",
+                      .method = "standard",
+                      .width = 8,
+                      .height = 4,
+                      .lighting_ms = 2,
+                      .truth_ms = 9};
+    row.error.rel = 0.25;
+    row.statistics.light_evaluations = 16;
+    row.statistics.ground_truth_evaluations = 64;
+    scenes_table table = {&row, 1};
+    assert_true(scenes_write_csv(&table, workspace_path(&at, "views.csv")));
+    FILE *file = fopen(at.path, "r");
+    char header[1024], line[1024];
+    assert_non_null(fgets(header, sizeof header, file));
+    assert_non_null(fgets(line, sizeof line, file));
+    fclose(file);
+    assert_non_null(strstr(header, "scene,width,height,normals,pipeline,method,rel,"));
+    assert_non_null(strstr(line, "box,8,4,smooth,hull,standard,0.25,"));
+    assert_non_null(strstr(line, ",16,64,"));
+    assert_non_null(strstr(line, ",25,2,4.5\n"));
+    workspace_close(&at);
+}
+
+/* Two clusters of lights far apart become two lights with the flux of each. */
+static void test_lobes_of_clusters(void **state)
+{
+    (void)state;
+    gpu_device *device = open_software_device();
+    render_frame frame = {.device = device, .light_count = 4};
+    assert_int_equal(gpu_buffer_create(device, 4 * 16 * sizeof(float), &frame.lights), GPU_OK);
+    float *words = gpu_buffer_map(frame.lights);
+    memset(words, 0, 4 * 16 * sizeof *words);
+    for (int i = 0; i < 4; i++) {
+        float *w = words + 16 * i;
+        for (int corner = 0; corner < 3; corner++) {
+            w[4 * corner] = (i < 2 ? -5.0f : 5.0f) + 0.1f * (float)(i % 2);
+            w[4 * corner + 3] = i < 2 ? 1.0f : 2.0f; /* exitance */
+        }
+        w[13] = 1.0f; /* normal */
+        w[15] = 0.5f; /* area */
+    }
+    lobe_light lights[LOBE_LIGHTS];
+    assert_int_equal(lobe_lights_of(&frame, lights), 2);
+    for (int k = 0; k < 2; k++) {
+        double flux = (double)lights[k].intensity[0] * sg_A((double)lights[k].sharpness);
+        double expected = lights[k].centre[0] < 0 ? 1.0 : 2.0;
+        assert_true(fabs(flux - expected) < 1e-5);
+        assert_true(fabs(fabs((double)lights[k].centre[0]) - 5.0) < 0.1);
+        assert_true(fabs((double)lights[k].variance - 0.5 * 0.05 * 0.05) < 1e-6);
+        assert_true(lights[k].axis[1] > 0.999f);
+    }
+    gpu_buffer_destroy(frame.lights);
+    close_clean(device);
+}
+
+static void refused(const char *const *arguments, const char *expected)
+{
+    run r = program_run(arguments, &(run_options){0});
+    assert_int_equal(r.status, 2);
+    assert_non_null(strstr(r.error, expected));
+    assert_ptr_equal(strchr(r.error, '\n'), r.error + strlen(r.error) - 1);
+    run_free(&r);
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    refused((const char *const[]){"bench", "--scenes", "built-in", NULL}, "--out");
+    refused((const char *const[]){"bench", "--out", "x", "--view", "box", NULL}, "--scenes");
+    refused((const char *const[]){"bench", "--scenes", "/nowhere/at/all", "--out", "x", NULL},
+            "/nowhere/at/all");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_view),
+        cmocka_unit_test(test_the_files),
+        cmocka_unit_test(test_lobes_of_clusters),
+        cmocka_unit_test(test_refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
