@@ -38,16 +38,17 @@ typedef struct scenes_view {
     uint32_t width, height;
     bool detailed;
     const char *method; /* NULL: the renderer's default */
+    const char *truth;  /* pipeline that the others are compared with; NULL: `exact` */
     int runs;           /* interleaved: every pipeline once, then every pipeline again */
     bool truth_once;    /* `exact`, which takes long, only in the first of them */
 } scenes_view;
 
-/* Called once a pipeline, `exact` first, with what it made: 4 floats a pixel. The frame holds the
+/* Called once a pipeline, the truth first, with what it made: 4 floats a pixel. The frame holds the
  * pipeline's light and image. False ends the measuring. */
 typedef bool (*scenes_look)(void *context, render_frame *frame, const scenes_row *row,
                             const float *light, const float *truth, const float *errors);
 
-/* Adds a row for `exact` and one for each of the pipelines (ids, NULL-ended). look may be NULL.
+/* Adds a row for the truth and one for each of the pipelines (ids, NULL-ended). look may be NULL.
  * False after one line. */
 bool scenes_measure(const scenes_view *view, const char *const *pipelines, scenes_look look,
                     void *context, scenes_table *table);

@@ -112,7 +112,7 @@ static bool look_at(render_frame *frame, const scenes_view *view, job *j, float 
 
 static bool keep_truth(render_frame *frame, const scenes_view *view, float *truth)
 {
-    return gpu_image_read(frame->light, truth) == GPU_OK || failed(view, "exact");
+    return gpu_image_read(frame->light, truth) == GPU_OK || failed(view, "truth");
 }
 
 /* The first round keeps the truth, the last one looks at each pipeline while the frame holds what
@@ -165,6 +165,7 @@ static bool start(render_frame *frame, const scenes_view *view, const char *id, 
 bool scenes_measure(const scenes_view *view, const char *const *pipelines, scenes_look look,
                     void *context, scenes_table *table)
 {
+    const char *truth = view->truth ? view->truth : "exact";
     render_frame frame;
     render_options options = {.width = view->width,
                               .height = view->height,
@@ -172,12 +173,12 @@ bool scenes_measure(const scenes_view *view, const char *const *pipelines, scene
                               .detailed_normals = view->detailed,
                               .runs = 1};
     if (render_frame_create(view->device, view->scene, &options, &frame) != GPU_OK)
-        return failed(view, "exact");
+        return failed(view, truth);
     job *jobs = base_allocate(MOST_PIPELINES * sizeof *jobs);
     size_t count = 1;
-    bool good = start(&frame, view, "exact", &jobs[0]);
+    bool good = start(&frame, view, truth, &jobs[0]);
     for (; good && *pipelines && count < MOST_PIPELINES; pipelines++)
-        if (strcmp(*pipelines, "exact") != 0 && render_pipeline_find(*pipelines))
+        if (strcmp(*pipelines, truth) != 0 && render_pipeline_find(*pipelines))
             good = start(&frame, view, *pipelines, &jobs[count++]);
     good = good && run_all(&frame, view, jobs, count, look, context);
     for (size_t i = 0; i < count; i++) {

@@ -72,8 +72,9 @@ static bool one_scene(const scenes_plan *plan, const char *path, int size_count,
     bool good = true;
     bool wanted = !plan->folder || paper_ratio(scene.name, 0) > 0.0;
     for (int s = 0; s < size_count && good; s++) {
-        scenes_view view = {plan->device, &scene, scene.name, sizes[s][0],
-                            sizes[s][1],  false,  NULL,       plan->quick ? 1 : s < 2 ? 3 : 2,
+        scenes_view view = {plan->device, &scene,      scene.name,
+                            sizes[s][0],  sizes[s][1], false,
+                            NULL,         NULL,        plan->quick ? 1 : s < 2 ? 3 : 2,
                             false};
         if (wanted)
             good = scenes_measure(&view, pipelines, NULL, NULL, table);

@@ -58,7 +58,8 @@ static void pipelines_of(bool all, const char *ids[MOST_PIPELINES])
 {
     size_t count = 0;
     for (size_t i = 0; render_pipelines[i] && count + 1 < MOST_PIPELINES; i++)
-        if (all || strcmp(render_pipelines[i]->id, "exact_unclipped") != 0)
+        if (!render_pipelines[i]->shadows &&
+            (all || strcmp(render_pipelines[i]->id, "exact_unclipped") != 0))
             ids[count++] = render_pipelines[i]->id;
     ids[count] = NULL;
 }
@@ -78,8 +79,8 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
         for (int detailed = 0; detailed < 2 && good; detailed++) {
             bool shows = s == 0 && !detailed;
             pipelines_of(shows, ids);
-            scenes_view view = {plan->device,  &scene, scene.name,     sizes[s][0], sizes[s][1],
-                                detailed != 0, NULL,   s == 0 ? 3 : 2, true};
+            scenes_view view = {plan->device,  &scene, scene.name, sizes[s][0],    sizes[s][1],
+                                detailed != 0, NULL,   NULL,       s == 0 ? 3 : 2, true};
             good = scenes_measure(&view, ids, picture, shows ? pictures : NULL, table);
             base_progress_step(progress, scene.name);
         }

@@ -52,7 +52,7 @@ static void test_a_view(void **state)
     box(&scene);
     scenes_table table = {0};
     seen s = {0};
-    scenes_view view = {device, &scene, "box", WIDTH, HEIGHT, false, NULL, 3, true};
+    scenes_view view = {device, &scene, "box", WIDTH, HEIGHT, false, NULL, NULL, 3, true};
     assert_true(scenes_measure(&view, pipelines, see, &s, &table));
     assert_int_equal(table.count, 3);
     assert_int_equal(s.calls, 3);

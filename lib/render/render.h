@@ -97,6 +97,7 @@ float render_tone(double gain, float radiance);
 typedef struct render_pipeline {
     const char *id;    /* as after --pipeline */
     const char *title; /* one line */
+    bool shadows;      /* of area lights alone, with shadows: its truth is `shadows`, not `exact` */
     /* Makes buffers and pipelines of its own for the frame; leaves nothing behind on failure. */
     gpu_status (*create)(render_frame *frame, void **state);
     /* Fills frame->light, options.runs times, and adds its counts and times to the statistics. */

@@ -197,6 +197,7 @@ static gpu_status run(render_frame *frame, void *state, render_statistics *stati
 const render_pipeline shadows_pipeline = {
     .id = "shadows",
     .title = "area lights with shadows, ground truth: every pixel, 64 rays to each light",
+    .shadows = true,
     .create = create,
     .run = run,
     .destroy = destroy,
