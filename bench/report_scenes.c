@@ -136,6 +136,11 @@ bool report_scenes(report *report)
         "largest_error", "black_pixels", "time_ratio", NULL};
     static const char *const lobe_titles[] = {"figure",   "method", "#SMAPE", "#99 %",
                                               "#largest", "#black", "#time",  NULL};
+    static const char *const choice_names[] = {
+        "scene", "pipeline", "max_rmse", "method", "instructions", "rmse", "largest_change_of_255",
+        NULL};
+    static const char *const choice_titles[] = {
+        "scene", "pipeline", "#asked", "method", "#instructions", "#RMSE", "#change of 255", NULL};
     return gallery(report, "pictures",
                    "Pictures by the ground truth (`exact`), the paper as printed (`meder`), ours "
                    "and a rival, all of one view with the same exposure; and their errors of "
@@ -151,6 +156,10 @@ bool report_scenes(report *report)
            table(report, "flicker.csv", flicker_names, flicker_titles,
                  "Flicker: root mean square, over pixels, of the second difference in time: of the "
                  "error, and of the irradiance against that of ground truth.") &&
+           table(report, "choice.csv", choice_names, choice_titles,
+                 "No more than a scene needs: the cheapest method that stays under an error on "
+                 "what the frame integrates, and the largest change of its tone-mapped picture "
+                 "against the method `fine`, in steps of 1/255.") &&
            gallery(report, "lobes",
                    "One surface after another lit by spherical Gaussians alone, as in Tokuyoshi's "
                    "figures 1 and 4: a sharp light close to a wall, and the light that the scene "

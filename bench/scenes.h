@@ -86,6 +86,8 @@ bool scenes_growth(const scenes_plan *plan);
 /* Sixty frames of a moving camera and a moving light: flicker.csv. */
 bool scenes_flicker(const scenes_plan *plan);
 
+/* The cheapest method for what a frame integrates, and what it changes: choice.csv. */
+bool scenes_choice(const scenes_plan *plan);
 /* Virtual spherical Gaussian lights by every method: lobes.csv, lobes/. */
 bool scenes_lobes(const scenes_plan *plan);
 
