@@ -136,6 +136,10 @@ bool report_scenes(report *report)
         "largest_error", "black_pixels", "time_ratio", NULL};
     static const char *const lobe_titles[] = {"figure",   "method", "#SMAPE", "#99 %",
                                               "#largest", "#black", "#time",  NULL};
+    static const char *const paper_names[] = {"scene", "pipeline", "method", "rel",
+                                              "p50",   "p99",      "bias",   NULL};
+    static const char *const paper_titles[] = {"scene",   "pipeline", "method", "#rel",
+                                               "#median", "#p99",     "#bias",  NULL};
     static const char *const choice_names[] = {
         "scene", "pipeline", "max_rmse", "method", "instructions", "rmse", "largest_change_of_255",
         NULL};
@@ -156,6 +160,14 @@ bool report_scenes(report *report)
            table(report, "flicker.csv", flicker_names, flicker_titles,
                  "Flicker: root mean square, over pixels, of the second difference in time: of the "
                  "error, and of the irradiance against that of ground truth.") &&
+           gallery(report, "paper",
+                   "The paper's figures 3, 4 and 8: its pipeline as printed, with the cosine "
+                   "integrated by its own curve (`meder_2018`), taken as constant, taken as a lobe "
+                   "(`tokuyoshi_2016`), and by `standard`; errors as above. The stages of figure 2 "
+                   "are written into a folder `stages` beside these.") &&
+           table(report, "paper.csv", paper_names, paper_titles,
+                 "The same in numbers: which formula integrates the lobe hardly matters beside the "
+                 "lobe itself, but the two that do not integrate it are worse.") &&
            table(report, "choice.csv", choice_names, choice_titles,
                  "No more than a scene needs: the cheapest method that stays under an error on "
                  "what the frame integrates, and the largest change of its tone-mapped picture "

@@ -81,6 +81,8 @@ typedef struct scenes_plan {
 bool scenes_views(const scenes_plan *plan);
 /* The paper's table 1: rates.csv. */
 bool scenes_rates(const scenes_plan *plan);
+/* The paper's figures 2 to 4: stages/, paper/, paper.csv. */
+bool scenes_paper(const scenes_plan *plan);
 /* Lighting time over triangles, pixels and lights: growth.csv. */
 bool scenes_growth(const scenes_plan *plan);
 /* Sixty frames of a moving camera and a moving light: flicker.csv. */

@@ -57,8 +57,8 @@ int scenes_command(const char *folder, const char *only, const char *device, con
         return BASE_FAILED;
     }
     bool good = base_make_directory(out) && scenes_views(&plan) && scenes_rates(&plan) &&
-                scenes_growth(&plan) && scenes_flicker(&plan) && scenes_lobes(&plan) &&
-                scenes_choice(&plan);
+                scenes_paper(&plan) && scenes_growth(&plan) && scenes_flicker(&plan) &&
+                scenes_lobes(&plan) && scenes_choice(&plan);
     gpu_device_close(plan.device);
     return good ? BASE_DONE : BASE_FAILED;
 }
