@@ -2,6 +2,7 @@
 #include "hull.h"
 #include "internal.h"
 #include "meder.h"
+#include "multires.h"
 #include "shadows.h"
 #include "upsample.h"
 
@@ -19,6 +20,10 @@ const render_pipeline *const render_pipelines[] = {
     &upsample8_pipeline,
     /* with shadows */
     &shadows_pipeline,
+    &multires_pipeline,
+    &multires_same_pipeline,
+    &multires_apart_pipeline,
+    &nichols_pipeline,
     /* the end */
     NULL,
 };

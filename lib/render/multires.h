@@ -1,0 +1,54 @@
+/* multires.h: fragments of several resolutions: what multires and nichols share. */
+#ifndef RENDER_MULTIRES_H
+#define RENDER_MULTIRES_H
+
+#include "shadows.h"
+
+/* The push constants of shaders/multires/fragments.glsl. */
+typedef struct multires_push {
+    uint32_t root, light_count, tiles[2], level, differing, steep;
+    float plane_limit, normal_limit;
+    uint32_t points;
+} multires_push;
+
+/* Of the 64 points of a light: POINTS_ of fragments.glsl. */
+enum multires_points { MULTIRES_SAME, MULTIRES_BOTH, MULTIRES_APART };
+
+typedef struct multires_settings {
+    uint32_t differing, steep;       /* bits */
+    float plane_limit, normal_limit; /* pixels, 1 */
+    enum multires_points points;
+} multires_settings;
+
+/* A pixel's discontinuity from its neighbours, as in shaders/multires/pyramids.comp. */
+extern const multires_settings multires_default;
+
+enum { MULTIRES_TILE = 16, MULTIRES_FRAGMENTS = 341 /* of all levels in 16 x 16 pixels */ };
+
+typedef struct multires {
+    shadows shadows;
+    multires_push push[RENDER_LEVELS]; /* one a level */
+    size_t tiles;
+    gpu_buffer *work, *lists, *pyramid, *illumination;
+    gpu_compute *pyramids, *cull;
+} multires;
+
+gpu_status multires_create(render_frame *frame, const multires_settings *settings, multires *m);
+void multires_destroy(multires *m);
+
+/* A pass of fragments.glsl; own: the kind of binding 13, where the pass has one. */
+gpu_status multires_compute(render_frame *frame, const char *path, const gpu_binding *own,
+                            gpu_compute **compute);
+/* A step of such a pass, own at binding 13. */
+gpu_step multires_step(const render_frame *frame, const multires *m, const char *name,
+                       gpu_compute *compute, int level, void *own);
+/* The same over a list of fragments. */
+gpu_step multires_list_step(const render_frame *frame, const multires *m, const char *name,
+                            gpu_compute *compute, int level, int list, void *own);
+/* Resetting, the pyramids and the first fragments: returns how many steps were written, 4. */
+int multires_begin(const render_frame *frame, const multires *m, gpu_step *steps);
+
+extern const render_pipeline multires_pipeline, multires_same_pipeline, multires_apart_pipeline,
+    nichols_pipeline;
+
+#endif

@@ -1,0 +1,97 @@
+/* Nichols, Penmatsa and Wyman 2010: fragments refined where visibility differs from that of their
+ * neighbours, upsampled from level to level. */
+#include <stdlib.h>
+
+#include "base/buffer.h"
+#include "multires.h"
+
+typedef struct state {
+    multires m;
+    gpu_buffer *visible;
+    gpu_compute *trace, *refine, *upsample;
+} state;
+
+static void destroy(void *pointer)
+{
+    state *s = pointer;
+    gpu_buffer_destroy(s->visible);
+    gpu_compute_destroy(s->trace);
+    gpu_compute_destroy(s->refine);
+    gpu_compute_destroy(s->upsample);
+    multires_destroy(&s->m);
+    free(s);
+}
+
+static gpu_status create_visible(render_frame *frame, state *s)
+{
+    size_t bytes = MULTIRES_FRAGMENTS * s->m.tiles * (1 + (size_t)s->m.shadows.light_count) * 8;
+    if (bytes > (size_t)128 << 20)
+        return gpu_fail(GPU_UNSUPPORTED,
+                        "nichols keeps 64 bits for each fragment and light: %zu MiB here, more "
+                        "than 128",
+                        bytes >> 20);
+    return gpu_buffer_create(frame->device, bytes, &s->visible);
+}
+
+static gpu_status create(render_frame *frame, void **pointer)
+{
+    static const gpu_binding image = GPU_STORAGE_IMAGE, buffer = GPU_STORAGE_BUFFER;
+    *pointer = NULL;
+    state *s = base_allocate(sizeof *s);
+    *s = (state){0};
+    gpu_status status = multires_create(frame, &multires_default, &s->m);
+    if (status == GPU_OK)
+        status = create_visible(frame, s);
+    if (status == GPU_OK)
+        status = multires_compute(frame, "nichols/trace.comp", &buffer, &s->trace);
+    if (status == GPU_OK)
+        status = multires_compute(frame, "nichols/refine.comp", &buffer, &s->refine);
+    if (status == GPU_OK)
+        status = multires_compute(frame, "nichols/upsample.comp", &image, &s->upsample);
+    if (status == GPU_OK)
+        *pointer = s;
+    else
+        destroy(s);
+    return status;
+}
+
+/* A dispatch over all fragments of a level. */
+static gpu_step level_step(const render_frame *frame, const state *s, const char *name,
+                           gpu_compute *compute, int level, uint32_t wide, uint32_t high, void *own)
+{
+    gpu_step step = multires_step(frame, &s->m, name, compute, level, own);
+    uint32_t fragments = MULTIRES_TILE >> level;
+    step.groups[0] = (s->m.push[0].tiles[0] * fragments + wide - 1) / wide;
+    step.groups[1] = (s->m.push[0].tiles[1] * fragments + high - 1) / high;
+    return step;
+}
+
+static gpu_status run(render_frame *frame, void *pointer, render_statistics *statistics)
+{
+    static const char *const traced[] = {"visibility 1", "visibility 2", "visibility 4",
+                                         "visibility 8", "visibility 16"};
+    static const char *const refined[] = {"", "refinement 2", "refinement 4", "refinement 8",
+                                          "refinement 16"};
+    static const char *const up[] = {"upsampling to 1", "upsampling to 2", "upsampling to 4",
+                                     "upsampling to 8", "upsampling to 16"};
+    const state *s = pointer;
+    gpu_step steps[32];
+    int count = multires_begin(frame, &s->m, steps);
+    steps[count++] = (gpu_step){.name = "reset visibility", .fill = s->visible};
+    for (int l = RENDER_LEVELS - 1; l >= 0; l--) {
+        steps[count++] = multires_list_step(frame, &s->m, traced[l], s->trace, l, l, s->visible);
+        if (l > 0)
+            steps[count++] = level_step(frame, s, refined[l], s->refine, l, 8, 8, s->visible);
+    }
+    for (int l = RENDER_LEVELS - 1; l >= 0; l--)
+        steps[count++] = level_step(frame, s, up[l], s->upsample, l, 16, 8, frame->light);
+    return render_run(frame, steps, count, statistics);
+}
+
+const render_pipeline nichols_pipeline = {
+    .id = "nichols",
+    .title = "area lights with shadows by refinement between neighbours (Nichols et al. 2010)",
+    .create = create,
+    .run = run,
+    .destroy = destroy,
+};

@@ -1,0 +1,46 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// additional.comp: additional samples (3.1.4): three pixels of each final fragment above level 2:
+// top left, top centre, left centre.
+#define PLACES 3u
+#include "fragments.glsl"
+#include "visibility.glsl"
+
+layout(local_size_x = 48) in;
+
+void main()
+{
+    uint entry;
+    if (!take_fragment(0u, entry))
+        return;
+    uint l = entry >> 28 & 7u, place = gl_LocalInvocationIndex / 16u;
+    uint h = 1u << (l - 1u);
+    uvec2 pixel = (unpack_fragment(entry) << l) + h * uvec2(place == 1u, place == 2u);
+    Surface s = surface_at(ivec2(pixel));
+    vec3 light_sum = vec3(0.0);
+    uint rays = 0u;
+    for (uint light = 0u; light < light_count; light++) {
+        float form = see_light(light, s, 0u, rays);
+        vec2 seen = sum_places(place, 1u);
+        bool all_in = points == POINTS_SAME, none = true;
+        for (uint i = 0u; i < PLACES; i++) {
+            none = none && place_bits[i] == 0u;
+            all_in = all_in || place_bits[i] == 0xffffu;
+        }
+        barrier();
+        for (uint set = 1u; set < 4u && !none && !all_in; set++) { // half shadow: all 64
+            see_light(light, s, set, rays);
+            seen += sum_places(place, 1u);
+            barrier();
+        }
+        if (seen.x > 0.0)
+            light_sum += areas[light].exitance.rgb * (form * seen.x / seen.y);
+    }
+    if ((gl_LocalInvocationIndex & 15u) == 0u)
+        illumination[fragment_index(0u, pixel)] = vec4(light_sum, SAMPLE);
+    if (gl_LocalInvocationIndex == 0u) {
+        counter_add(COUNT_SAMPLES, 3u);
+        counter_add(COUNT_EVALUATIONS, 3u * light_count);
+    }
+    counter_add_group(COUNT_RAYS, rays);
+}

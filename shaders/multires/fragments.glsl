@@ -1,0 +1,101 @@
+// fragments.glsl: squares of 1, 2, 4, 8, 16 pixels a side, levels 0 to 4, and what is kept of
+// each. Shared by multires and nichols.
+#ifndef FRAGMENTS_GLSL
+#define FRAGMENTS_GLSL
+
+#include "../shadows/area.glsl"
+
+layout(push_constant) uniform Push
+{
+    uint root, light_count;
+    uvec2 tiles;          // of 16 pixels, in the image
+    uint level;           // that this dispatch does
+    uint differing;       // bits of visibility that make a fragment split
+    uint steep;           // a gradient above it splits twice
+    float plane_limit;    // of geometric discontinuity: pixels, see pyramids.comp,
+    float normal_limit;   // and length of the diagonal of the box around the normals
+    uint points;          // one of these:
+};
+const uint POINTS_SAME = 0u;  // the same 16 of each light for all
+const uint POINTS_BOTH = 1u;  // the same 16 for tests, all 64 split over four for irradiance
+const uint POINTS_APART = 2u; // all 64 split over four for both
+
+const uint TOP = 4u;
+
+// What waits: list l of fragments of level l to be tested; list 0 of those that get more samples.
+struct Work {
+    uint groups[3]; // of an indirect dispatch, one a fragment
+    uint count;     // 1 more than there are
+};
+layout(set = 0, binding = 9, std430) buffer WorkBuffer { Work work[]; };
+layout(set = 0, binding = 10, std430) buffer Lists { uint lists[]; };
+
+// Per fragment of levels 1 to 4: discontinuity, see pyramids.comp.
+layout(set = 0, binding = 11, std430) buffer Pyramid { float pyramid[]; };
+
+// Irradiance per fragment of every level; w: one of these.
+layout(set = 0, binding = 12, std430) buffer Illumination { vec4 illumination[]; };
+const float NOTHING = 0.0;
+const float FINAL = 1.0;  // a fragment that is not refined
+const float SAMPLE = 2.0; // an additional sample, a pixel of a fragment of level 3 or 4
+const float PART = 3.0;   // a sub-fragment of a fragment that is not refined
+const float DARK = 4.0;   // final, and faces away from every light
+
+uint level_base(uint l) // of a level's fragments in the buffer of all levels
+{
+    uint before = l == 0u ? 0u : l == 1u ? 256u : l == 2u ? 320u : l == 3u ? 336u : 340u;
+    return before * tiles.x * tiles.y;
+}
+
+uint fragment_index(uint l, uvec2 at)
+{
+    return level_base(l) + at.y * (tiles.x << (TOP - l)) + at.x;
+}
+
+uint pyramid_index(uint l, uvec2 at)
+{
+    return fragment_index(l, at) - level_base(1u);
+}
+
+const uint FORCED = 0x80000000u; // split whatever is seen
+
+uint pack_fragment(uvec2 at, uint flags)
+{
+    return at.x | at.y << 14 | flags;
+}
+
+uvec2 unpack_fragment(uint entry)
+{
+    return uvec2(entry & 0x3fffu, entry >> 14 & 0x3fffu);
+}
+
+uint list_base(uint l)
+{
+    return l == 0u ? 85u * tiles.x * tiles.y : level_base(l) - level_base(1u);
+}
+
+// As many groups as entries, in rows of 32768.
+void push_fragment(uint list, uint entry)
+{
+    uint slot = atomicAdd(work[list].count, 1u) - 1u;
+    lists[list_base(list) + slot] = entry;
+    atomicMax(work[list].groups[0], min(slot + 1u, 32768u));
+    atomicMax(work[list].groups[1], slot / 32768u + 1u);
+}
+
+// The fragment of this group; false where there is none left.
+bool take_fragment(uint list, out uint entry)
+{
+    uint slot = gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x;
+    bool there = slot + 1u < work[list].count;
+    entry = there ? lists[list_base(list) + slot] : 0u;
+    return there;
+}
+
+// The pixel that stands for a fragment.
+ivec2 fragment_pixel(uint l, uvec2 at)
+{
+    return ivec2(at << l) + (l == 0u ? 0 : 1 << (l - 1u));
+}
+
+#endif

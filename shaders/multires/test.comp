@@ -1,0 +1,138 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// test.comp: sub-fragment visibility tests (3.1.2) and gradient-aware refinement (3.1.3) of the
+// fragments of one level. Four sub-fragments, 16 rays each to the same points of a light: where
+// their bits differ the fragment is split. Two sub-fragments that follow each other around the
+// fragment and whose numbers of visible points differ by more than `steep` are both split once
+// more. Where nothing is visible from any of the four, nothing differs, and the fragment is dark.
+// What was seen is kept as irradiance: of the sub-fragments of a final fragment, and of pixels.
+//
+// Joined: the four look at 16 other points each, and share what they see of the 64. That is how
+// `points` has it of the four pixels of level 1, and of final fragments in half shadow, which are
+// traced once more.
+#define PLACES 4u
+#include "fragments.glsl"
+#include "visibility.glsl"
+
+layout(local_size_x = 64) in;
+
+shared vec3 sub_light[4];
+shared uint sub_there[4];
+
+uvec2 sub_at(uint sub) // of the four around the fragment: each a neighbour of the one before
+{
+    return uvec2(sub == 1u || sub == 2u, sub >= 2u);
+}
+
+struct Found {
+    uint differ; // bits, most of all lights
+    uint twice;  // sub-fragments on a steep gradient
+    bool half_shadow;
+};
+
+void compare(bool joined, inout Found found)
+{
+    uint all = 0xffffu, any = 0u;
+    for (uint i = 0u; i < 4u; i++) {
+        uint next = place_bits[(i + 1u) & 3u];
+        all &= place_bits[i];
+        any |= place_bits[i];
+        int gradient = bitCount(place_bits[i]) - bitCount(next);
+        if (uint(abs(gradient)) > steep)
+            found.twice |= 1u << i | 1u << ((i + 1u) & 3u);
+    }
+    bool part = any != 0u && all != 0xffffu;
+    uint differ = joined && part ? 16u : joined ? 0u : bitCount(any & ~all);
+    found.differ = max(found.differ, differ);
+    found.half_shadow = found.half_shadow || part;
+}
+
+vec3 light_sub(bool joined, Surface s, inout Found found, inout uint rays)
+{
+    uint sub = gl_LocalInvocationIndex / 16u;
+    vec3 sum = vec3(0.0);
+    for (uint light = 0u; light < light_count; light++) {
+        float form = see_light(light, s, joined ? sub : 0u, rays);
+        vec2 seen = joined ? sum_places(0u, 4u) : sum_places(sub, 1u);
+        if (seen.x > 0.0)
+            sum += areas[light].exitance.rgb * (form * seen.x / seen.y);
+        compare(joined, found);
+        barrier();
+    }
+    return sum;
+}
+
+void keep_pixels(uvec2 at, bool split)
+{
+    uint kept = 0u;
+    for (uint i = 0u; i < 4u; i++) {
+        if (sub_there[i] == 0u)
+            continue;
+        uint index = fragment_index(0u, at * 2u + sub_at(i));
+        illumination[index] = vec4(sub_light[i], split ? FINAL : PART);
+        kept++;
+    }
+    counter_add(split ? COUNT_FRAGMENTS : COUNT_FRAGMENTS + 1u, split ? kept : 1u);
+}
+
+void split_fragment(uvec2 at, uint twice)
+{
+    for (uint i = 0u; i < 4u; i++) {
+        uvec2 sub = at * 2u + sub_at(i);
+        if ((twice >> i & 1u) == 0u)
+            push_fragment(level - 1u, pack_fragment(sub, 0u));
+        else if (level == 2u)
+            push_fragment(1u, pack_fragment(sub, FORCED));
+        else
+            for (uint k = 0u; k < 4u; k++)
+                push_fragment(level - 2u, pack_fragment(sub * 2u + sub_at(k), 0u));
+    }
+}
+
+void keep_fragment(uvec2 at, uint entry)
+{
+    vec3 sum = vec3(0.0);
+    for (uint i = 0u; i < 4u; i++) {
+        sum += sub_light[i];
+        illumination[fragment_index(level - 1u, at * 2u + sub_at(i))] = vec4(sub_light[i], PART);
+    }
+    illumination[fragment_index(level, at)] = vec4(0.25 * sum, FINAL);
+    if (level > 2u)
+        push_fragment(0u, entry | level << 28);
+    counter_add(COUNT_FRAGMENTS + level, 1u);
+}
+
+void main()
+{
+    uint entry;
+    if (!take_fragment(level, entry))
+        return;
+    uvec2 at = unpack_fragment(entry);
+    uint sub = gl_LocalInvocationIndex / 16u;
+    Surface s = surface_at(fragment_pixel(level - 1u, at * 2u + sub_at(sub)));
+    bool one_surface = pyramid[pyramid_index(level, at)] <= 1.0;
+    bool joined = one_surface && (points == POINTS_APART || points == POINTS_BOTH && level == 1u);
+    Found found = Found(0u, 0u, false), ignored = found;
+    uint rays = 0u;
+    vec3 light_sum = light_sub(joined, s, found, rays);
+    bool split = (entry & FORCED) != 0u || found.differ >= differing;
+    if (!split && level > 1u && points == POINTS_BOTH && found.half_shadow)
+        light_sum = light_sub(true, s, ignored, rays);
+    if ((gl_LocalInvocationIndex & 15u) == 0u) {
+        sub_light[sub] = light_sum;
+        sub_there[sub] = s.there ? 1u : 0u;
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0u) {
+        if (level == 1u)
+            keep_pixels(at, split);
+        else if (split)
+            split_fragment(at, found.twice);
+        else
+            keep_fragment(at, entry);
+        uint there = sub_there[0] + sub_there[1] + sub_there[2] + sub_there[3];
+        counter_add(COUNT_SAMPLES, there);
+        counter_add(COUNT_EVALUATIONS, there * light_count);
+    }
+    counter_add_group(COUNT_RAYS, rays);
+}
