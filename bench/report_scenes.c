@@ -58,6 +58,25 @@ static bool gallery(report *report, const char *group, const char *text)
     return good;
 }
 
+/* Every folder below `stages` is of one scene. */
+static bool stage_galleries(report *report)
+{
+    char *folder = base_join(report->scenes, "stages"), **names;
+    size_t count;
+    bool good = base_list(folder, "", &names, &count);
+    if (good) {
+        for (size_t i = 0; i < count && good; i++) {
+            char *group = base_join("stages", names[i]);
+            good = gallery(report, group,
+                           i ? "The same." : "The stages of the paper's pipeline, its figure 2.");
+            free(group);
+        }
+        base_list_free(names, count);
+    }
+    free(folder);
+    return good;
+}
+
 /* ---- Tables -----------------------------------------------------------------------------------
  */
 
@@ -160,14 +179,13 @@ bool report_scenes(report *report)
            table(report, "flicker.csv", flicker_names, flicker_titles,
                  "Flicker: root mean square, over pixels, of the second difference in time: of the "
                  "error, and of the irradiance against that of ground truth.") &&
+           stage_galleries(report) &&
            gallery(report, "paper",
                    "The paper's figures 3, 4 and 8: its pipeline as printed, with the cosine "
                    "integrated by its own curve (`meder_2018`), taken as constant, taken as a lobe "
-                   "(`tokuyoshi_2016`), and by `standard`; errors as above. The stages of figure 2 "
-                   "are written into a folder `stages` beside these.") &&
+                   "(`tokuyoshi_2016`), and by `standard`; errors as above.") &&
            table(report, "paper.csv", paper_names, paper_titles,
-                 "The same in numbers: which formula integrates the lobe hardly matters beside the "
-                 "lobe itself, but the two that do not integrate it are worse.") &&
+                 "The same in numbers: errors of irradiance against ground truth.") &&
            table(report, "choice.csv", choice_names, choice_titles,
                  "No more than a scene needs: the cheapest method that stays under an error on "
                  "what the frame integrates, and the largest change of its tone-mapped picture "
