@@ -159,6 +159,21 @@ bool report_scenes(report *report)
                                               "p50",   "p99",      "bias",   NULL};
     static const char *const paper_titles[] = {"scene",   "pipeline", "method", "#rel",
                                                "#median", "#p99",     "#bias",  NULL};
+    static const char *const shadow_names[] = {"scene",
+                                               "width",
+                                               "height",
+                                               "pipeline",
+                                               "rel",
+                                               "p99",
+                                               "fragments",
+                                               "fragments_percent",
+                                               "visibility_rays",
+                                               "lighting_ms",
+                                               "times_faster_than_shadows",
+                                               NULL};
+    static const char *const shadow_titles[] = {"scene", "#width", "#height",       "pipeline",
+                                                "#rel",  "#p99",   "#fragments",    "#% of pixels",
+                                                "#rays", "#ms",    "#times faster", NULL};
     static const char *const choice_names[] = {
         "scene", "pipeline", "max_rmse", "method", "instructions", "rmse", "largest_change_of_255",
         NULL};
@@ -190,6 +205,13 @@ bool report_scenes(report *report)
                  "No more than a scene needs: the cheapest method that stays under an error on "
                  "what the frame integrates, and the largest change of its tone-mapped picture "
                  "against the method `fine`, in steps of 1/255.") &&
+           gallery(
+               report, "shadows",
+               "Area lights with shadows, after Koa and Johan: every pixel with 64 rays to each "
+               "light (`shadows`), fragments of several resolutions (`multires`), and Nichols "
+               "and Wyman's refinement (`nichols`).") &&
+           table(report, "shadows.csv", shadow_names, shadow_titles,
+                 "Fragments, rays and errors against every pixel with 64 rays to each light.") &&
            gallery(report, "lobes",
                    "One surface after another lit by spherical Gaussians alone, as in Tokuyoshi's "
                    "figures 1 and 4: a sharp light close to a wall, and the light that the scene "

@@ -90,10 +90,13 @@ bool scenes_flicker(const scenes_plan *plan);
 
 /* The cheapest method for what a frame integrates, and what it changes: choice.csv. */
 bool scenes_choice(const scenes_plan *plan);
+/* Area lights with shadows: shadows.csv, shadows/. */
+bool scenes_shadows(const scenes_plan *plan);
 /* Virtual spherical Gaussian lights by every method: lobes.csv, lobes/. */
 bool scenes_lobes(const scenes_plan *plan);
 
-/* The descriptions that the plan covers: paths, free with base_list_free. */
-bool scenes_list(const scenes_plan *plan, char ***paths, size_t *count);
+/* The descriptions that the plan covers, those lit by area lights (NAME_area.json) or the others:
+ * paths, free with base_list_free. */
+bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *count);
 
 #endif

@@ -9,7 +9,14 @@
 #include "scenes.h"
 #include "scenes_command.h"
 
-bool scenes_list(const scenes_plan *plan, char ***paths, size_t *count)
+static bool is_lit_by_area(const char *name)
+{
+    static const char ending[] = "_area.json";
+    size_t length = strlen(name);
+    return length >= sizeof ending - 1 && strcmp(name + length - (sizeof ending - 1), ending) == 0;
+}
+
+bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *count)
 {
     char *folder = base_join(base_source_root(), "tests/scenes");
     const char *begin = plan->only ? plan->only : plan->folder ? "" : "box";
@@ -17,14 +24,14 @@ bool scenes_list(const scenes_plan *plan, char ***paths, size_t *count)
     size_t kept = 0;
     for (size_t i = 0; good && i < *count; i++) {
         char *name = (*paths)[i];
-        if (strncmp(name, begin, strlen(begin)) == 0)
+        if (strncmp(name, begin, strlen(begin)) == 0 && is_lit_by_area(name) == area)
             (*paths)[kept++] = base_join(folder, name);
         free(name);
     }
     if (good)
         *count = kept;
     free(folder);
-    if (good && kept == 0) {
+    if (good && kept == 0 && !area) {
         base_error("bench: expected --view to begin like a description in tests/scenes, found %s",
                    begin);
         base_list_free(*paths, 0);
@@ -58,7 +65,7 @@ int scenes_command(const char *folder, const char *only, const char *device, con
     }
     bool good = base_make_directory(out) && scenes_views(&plan) && scenes_rates(&plan) &&
                 scenes_paper(&plan) && scenes_growth(&plan) && scenes_flicker(&plan) &&
-                scenes_lobes(&plan) && scenes_choice(&plan);
+                scenes_shadows(&plan) && scenes_lobes(&plan) && scenes_choice(&plan);
     gpu_device_close(plan.device);
     return good ? BASE_DONE : BASE_FAILED;
 }

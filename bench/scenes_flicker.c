@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "scenes.h"
 
-enum { WIDTH = 480, HEIGHT = 270, PIXELS = WIDTH * HEIGHT, FRAMES = 60, QUICK_FRAMES = 12 };
+enum { WIDTH = 480, HEIGHT = 270, PIXELS = WIDTH * HEIGHT, FRAMES = 60, QUICK_FRAMES = 6 };
 static const char *const pipelines[] = {"meder",        "hull",         "hull_lobe",
                                         "upsample2",    "upsample4",    "upsample8",
                                         "upsample_sh8", "upsample_far", NULL};

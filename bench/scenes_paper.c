@@ -122,7 +122,7 @@ bool scenes_paper(const scenes_plan *plan)
 {
     char **paths;
     size_t count;
-    if (!scenes_list(plan, &paths, &count))
+    if (!scenes_list(plan, false, &paths, &count))
         return false;
     scenes_table table = {0};
     char *folder = base_join(plan->out, "paper"), *csv = base_join(plan->out, "paper.csv");

@@ -88,7 +88,7 @@ bool scenes_rates(const scenes_plan *plan)
 {
     char **paths;
     size_t count;
-    if (!scenes_list(plan, &paths, &count))
+    if (!scenes_list(plan, false, &paths, &count))
         return false;
     scenes_table table = {0};
     int size_count = !plan->folder ? 1 : plan->quick ? 2 : SIZES;

@@ -3,55 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/buffer.h"
 #include "base/file.h"
-#include "base/png.h"
 #include "base/progress.h"
 #include "base/text.h"
 #include "scenes.h"
+#include "scenes_gallery.h"
 
 enum { MOST_PIPELINES = 32 };
-
-/* Pipelines of which pictures are kept. */
-static const char *const shown[] = {"exact", "meder", "hull", "hull_lobe", "upsample4", NULL};
-
-static bool is_shown(const char *id)
-{
-    for (size_t i = 0; shown[i]; i++)
-        if (strcmp(shown[i], id) == 0)
-            return true;
-    return false;
-}
-
-static bool picture(void *context, render_frame *frame, const scenes_row *row, const float *light,
-                    const float *truth, const float *errors)
-{
-    const char *folder = context; /* NULL: no pictures of this view */
-    (void)light;
-    if (!folder || !is_shown(row->pipeline))
-        return true;
-    size_t pixels = (size_t)row->width * row->height;
-    float *image = base_allocate(4 * pixels * sizeof *image + 1);
-    char name[3 * SCENES_NAME];
-    snprintf(name, sizeof name, "%s_%s.png", row->scene, row->pipeline);
-    char *path = base_join(folder, name);
-    bool truth_itself = strcmp(row->pipeline, "exact") == 0;
-    bool good = gpu_image_read(frame->image, image) == GPU_OK;
-    if (!good)
-        base_error("%s: %s", path, gpu_last_error());
-    for (size_t i = 0; good && i < 4 * pixels; i++)
-        image[i] = render_tone(frame->gain, image[i]);
-    good = good && png_write_linear(path, (int)row->width, (int)row->height, image, 4, 1.0f);
-    free(path);
-    if (good && !truth_itself) {
-        snprintf(name, sizeof name, "%s_%s_errors.png", row->scene, row->pipeline);
-        path = base_join(folder, name);
-        good = scenes_write_errors(path, row->width, row->height, errors, truth);
-        free(path);
-    }
-    free(image);
-    return good;
-}
 
 /* Without all, but the one that takes as long as ground truth. */
 static void pipelines_of(bool all, const char *ids[MOST_PIPELINES])
@@ -81,7 +39,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
             pipelines_of(shows, ids);
             scenes_view view = {plan->device,  &scene, scene.name, sizes[s][0],    sizes[s][1],
                                 detailed != 0, NULL,   NULL,       s == 0 ? 3 : 2, true};
-            good = scenes_measure(&view, ids, picture, shows ? pictures : NULL, table);
+            good = scenes_measure(&view, ids, scenes_gallery, shows ? pictures : NULL, table);
             base_progress_step(progress, scene.name);
         }
     render_scene_free(&scene);
@@ -92,7 +50,7 @@ bool scenes_views(const scenes_plan *plan)
 {
     char **paths;
     size_t count;
-    if (!scenes_list(plan, &paths, &count))
+    if (!scenes_list(plan, false, &paths, &count))
         return false;
     scenes_table table = {0};
     char *pictures = base_join(plan->out, "pictures"), *csv = base_join(plan->out, "views.csv"),
