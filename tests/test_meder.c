@@ -151,12 +151,15 @@ static void another_method_is_another_picture(void **state)
 {
     (void)state;
     static const char *const methods[] = {NULL, "standard", "constant_cosine_stable",
-                                          "wang_2009_stable"};
+                                          "constant_cosine"};
     float light[4][33 * 17][4];
     for (int i = 0; i < 4; i++) {
         render_frame frame;
         open_frame(&frame, 33, 17);
         frame.options.method = methods[i];
+        light_data *lights = gpu_buffer_map(frame.lights);
+        for (int l = 0; l < LIGHTS; l++)
+            lights[l].b[3] = 0; /* nothing green: lobes of sharpness 0 */
         float *depth = random_depth(33, 17, 5);
         meder *m = run_on(&frame, depth);
         must(gpu_image_read(frame.light, light[i]));
@@ -164,10 +167,12 @@ static void another_method_is_another_picture(void **state)
         meder_pipeline.destroy(m);
         close_frame(&frame);
     }
+    for (int i = 0; i < 33 * 17; i++)
+        for (int c = 0; c < 3; c++)
+            assert_true(isfinite(light[3][i][c])); /* though as published it fails at sharpness 0 */
     assert_memory_equal(light[0], light[1], sizeof light[0]);
     assert_memory_not_equal(light[0], light[2], sizeof light[0]);
     assert_memory_not_equal(light[0], light[3], sizeof light[0]);
-    assert_memory_not_equal(light[2], light[3], sizeof light[0]);
     render_frame frame;
     open_frame(&frame, 33, 17);
     frame.options.method = "no_such_method";

@@ -10,7 +10,9 @@ float integrate(vec3 axis, float lambda, float mu, vec3 n)
 {
     // interpolation shortens the axis
     float cos_theta = dot(axis, n) * inversesqrt(max(dot(axis, axis), 1e-30));
-    return mu * SG_METHOD_A_h(lambda, clamp(cos_theta, -1.0, 1.0));
+    // only where no light arrives at any corner is the sharpness 0, which some published forms do
+    // not bear
+    return mu > 0.0 ? mu * SG_METHOD_A_h(lambda, clamp(cos_theta, -1.0, 1.0)) : 0.0;
 }
 
 void main()
