@@ -225,34 +225,6 @@ static void test_lights(void **state)
     buffer_free(&many);
 }
 
-/* Found beside the description, in the given folder, in SGFIT_SCENES, or named in the refusal. */
-static void test_search(void **state)
-{
-    (void)state;
-    char folder[1024];
-    snprintf(folder, sizeof folder, "%s", workspace_path(&work, "meshes"));
-    assert_int_equal(shell("mkdir -p '%s/sub'", folder), 0);
-    workspace_write(&work, "meshes/sub/far.obj", mesh_file_obj);
-    workspace_write(&work, "far.json", "{\"meshes\": [{\"file\": \"sub/far.obj\"}]}");
-    render_scene scene;
-    const char *path = workspace_path(&work, "far.json");
-    capture c;
-    unsetenv("SGFIT_SCENES");
-    capture_begin(&c);
-    assert_false(render_scene_read(path, NULL, &scene));
-    assert_one_line(capture_end(&c), "far.json", "meshes[0].file", "sub/far.obj", "SGFIT_SCENES");
-    assert_true(render_scene_read(path, folder, &scene));
-    render_scene_free(&scene);
-    setenv("SGFIT_SCENES", folder, 1);
-    assert_true(render_scene_read(path, NULL, &scene));
-    assert_int_equal(scene.triangle_count, 4);
-    render_scene_free(&scene);
-    capture_begin(&c);
-    assert_false(render_scene_read(path, "/nonexistent", &scene));
-    assert_one_line(capture_end(&c), "sub/far.obj", "/nonexistent");
-    unsetenv("SGFIT_SCENES");
-}
-
 /* Row-major, Vulkan's clip space: right is +x, up is -y, near is depth 0, far is depth 1. */
 static void test_camera_matrix(void **state)
 {
@@ -303,8 +275,7 @@ int main(void)
         cmocka_unit_test(test_transform),      cmocka_unit_test(test_mirror),
         cmocka_unit_test(test_smooth_normals), cmocka_unit_test(test_dropped),
         cmocka_unit_test(test_defaults),       cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_search),         cmocka_unit_test(test_camera_matrix),
-        cmocka_unit_test(test_built_in)};
+        cmocka_unit_test(test_camera_matrix),  cmocka_unit_test(test_built_in)};
     workspace_open(&work);
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
     workspace_close(&work);

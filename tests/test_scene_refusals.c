@@ -133,6 +133,34 @@ static void test_polygons(void **state)
     }
 }
 
+/* Found beside the description, in the given folder, in SGFIT_SCENES, or named in the refusal. */
+static void test_search(void **state)
+{
+    (void)state;
+    char folder[1024];
+    snprintf(folder, sizeof folder, "%s", workspace_path(&work, "meshes"));
+    assert_int_equal(shell("mkdir -p '%s/sub'", folder), 0);
+    workspace_write(&work, "meshes/sub/far.obj", mesh_file_obj);
+    workspace_write(&work, "far.json", "{\"meshes\": [{\"file\": \"sub/far.obj\"}]}");
+    render_scene scene;
+    const char *path = workspace_path(&work, "far.json");
+    capture c;
+    unsetenv("SGFIT_SCENES");
+    capture_begin(&c);
+    assert_false(render_scene_read(path, NULL, &scene));
+    assert_one_line(capture_end(&c), "far.json", "meshes[0].file", "sub/far.obj", "SGFIT_SCENES");
+    assert_true(render_scene_read(path, folder, &scene));
+    render_scene_free(&scene);
+    setenv("SGFIT_SCENES", folder, 1);
+    assert_true(render_scene_read(path, NULL, &scene));
+    assert_int_equal(scene.triangle_count, 4);
+    render_scene_free(&scene);
+    capture_begin(&c);
+    assert_false(render_scene_read(path, "/nonexistent", &scene));
+    assert_one_line(capture_end(&c), "sub/far.obj", "/nonexistent");
+    unsetenv("SGFIT_SCENES");
+}
+
 /* A damaged description ends in a scene or in one line. */
 static void test_damage(void **state)
 {
@@ -168,9 +196,9 @@ static void test_damage(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_refusals),
-                                       cmocka_unit_test(test_polygons),
-                                       cmocka_unit_test(test_damage)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_refusals), cmocka_unit_test(test_polygons),
+        cmocka_unit_test(test_search), cmocka_unit_test(test_damage)};
     workspace_open(&work);
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
     workspace_close(&work);
