@@ -188,4 +188,5 @@ const render_pipeline meder_pipeline = {.id = "meder",
                                         .create = create,
                                         .run = run,
                                         .dump = meder_dump,
-                                        .destroy = destroy};
+                                        .destroy = destroy,
+                                        .profile = meder_profile};

@@ -61,7 +61,8 @@ void meder_draw_resources(render_frame *frame, meder *m, void **resources);
 gpu_status meder_record_corners(render_frame *frame, meder *m, meder_record **records,
                                 float **lobes);
 
-/* render_pipeline.dump. */
+/* render_pipeline.dump and .profile. */
 bool meder_dump(render_frame *frame, void *state, const char *folder);
+gpu_status meder_profile(render_frame *frame, void *state, float **points, size_t *count);
 
 #endif
