@@ -20,17 +20,16 @@ void main()
     vec3 light_sum = vec3(0.0);
     uint rays = 0u;
     for (uint light = 0u; light < light_count; light++) {
-        float form = see_light(light, s, 0u, rays);
-        vec2 seen = sum_places(place, 1u);
-        bool all_in = points == POINTS_SAME, none = true;
-        for (uint i = 0u; i < PLACES; i++) {
-            none = none && place_bits[i] == 0u;
-            all_in = all_in || place_bits[i] == 0xffffu;
-        }
-        barrier();
-        for (uint set = 1u; set < 4u && !none && !all_in; set++) { // half shadow: all 64
-            see_light(light, s, set, rays);
+        Surface t = s;
+        float form = 0.0;
+        vec2 seen = vec2(0.0);
+        for (uint set = 0u; set < (points == POINTS_SAME ? 1u : 4u); set++) {
+            float f = see_light(light, t, set, rays);
             seen += sum_places(place, 1u);
+            if (set == 0u) { // the other points where some of these are seen, but not all
+                form = f;
+                t.there = place_bits[place] != 0u && place_bits[place] != 0xffffu;
+            }
             barrier();
         }
         if (seen.x > 0.0)

@@ -8,8 +8,9 @@
 // What was seen is kept as irradiance: of the sub-fragments of a final fragment, and of pixels.
 //
 // Joined: the four look at 16 other points each, and share what they see of the 64. That is how
-// `points` has it of the four pixels of level 1, and of final fragments in half shadow, which are
-// traced once more.
+// `points` has it of final fragments in half shadow, which are traced once more, and of the four
+// pixels of level 1, unless they are of several surfaces or the shadow is steep: then each pixel in
+// half shadow looks at the other 48 points too.
 #define PLACES 4u
 #include "fragments.glsl"
 #include "visibility.glsl"
@@ -30,9 +31,11 @@ struct Found {
     bool half_shadow;
 };
 
-void compare(bool joined, inout Found found)
+// Returns whether the gradient of this light is steep.
+bool compare(bool joined, inout Found found)
 {
-    uint all = 0xffffu, any = 0u;
+    uint all = 0xffffu, any = 0u, before = found.twice;
+    found.twice = 0u;
     for (uint i = 0u; i < 4u; i++) {
         uint next = place_bits[(i + 1u) & 3u];
         all &= place_bits[i];
@@ -45,19 +48,36 @@ void compare(bool joined, inout Found found)
     uint differ = joined && part ? 16u : joined ? 0u : bitCount(any & ~all);
     found.differ = max(found.differ, differ);
     found.half_shadow = found.half_shadow || part;
+    bool is_steep = found.twice != 0u;
+    found.twice |= before;
+    return is_steep;
 }
 
-vec3 light_sub(bool joined, Surface s, inout Found found, inout uint rays)
+vec3 light_sub(bool joined, bool one_surface, Surface s, inout Found found, inout uint rays)
 {
     uint sub = gl_LocalInvocationIndex / 16u;
     vec3 sum = vec3(0.0);
     for (uint light = 0u; light < light_count; light++) {
-        float form = see_light(light, s, joined ? sub : 0u, rays);
-        vec2 seen = joined ? sum_places(0u, 4u) : sum_places(sub, 1u);
+        Surface t = s;
+        float form = 0.0;
+        vec2 own = vec2(0.0), together = vec2(0.0);
+        bool alone = false;
+        for (uint k = 0u; k == 0u || (alone && k < 4u); k++) {
+            float f = see_light(light, t, joined ? sub + k & 3u : k, rays);
+            own += sum_places(sub, 1u);
+            if (k == 0u) {
+                form = f;
+                together = sum_places(0u, 4u);
+                bool is_steep = compare(joined, found);
+                alone = points == POINTS_BOTH && level == 1u && (!one_surface || is_steep);
+                // the other points where some of these are seen, but not all
+                t.there = place_bits[sub] != 0u && place_bits[sub] != 0xffffu;
+            }
+            barrier();
+        }
+        vec2 seen = joined && !alone ? together : own;
         if (seen.x > 0.0)
             sum += areas[light].exitance.rgb * (form * seen.x / seen.y);
-        compare(joined, found);
-        barrier();
     }
     return sum;
 }
@@ -111,13 +131,20 @@ void main()
     uint sub = gl_LocalInvocationIndex / 16u;
     Surface s = surface_at(fragment_pixel(level - 1u, at * 2u + sub_at(sub)));
     bool one_surface = pyramid[pyramid_index(level, at)] <= 1.0;
-    bool joined = one_surface && (points == POINTS_APART || points == POINTS_BOTH && level == 1u);
-    Found found = Found(0u, 0u, false), ignored = found;
+    bool joined = (points == POINTS_APART && one_surface) || (points == POINTS_BOTH && level == 1u);
+    Found found = Found(0u, 0u, false), again = found;
     uint rays = 0u;
-    vec3 light_sum = light_sub(joined, s, found, rays);
-    bool split = (entry & FORCED) != 0u || found.differ >= differing;
-    if (!split && level > 1u && points == POINTS_BOTH && found.half_shadow)
-        light_sum = light_sub(true, s, ignored, rays);
+    vec3 light_sum = vec3(0.0);
+    bool split = false, half_shadow = true;
+    for (uint round = 0u; round < 2u && half_shadow; round++) {
+        light_sum = light_sub(joined, one_surface, s, again, rays);
+        if (round == 0u) {
+            found = again;
+            split = (entry & FORCED) != 0u || found.differ >= differing;
+            half_shadow = found.half_shadow && !split && level > 1u && points == POINTS_BOTH;
+            joined = true;
+        }
+    }
     if ((gl_LocalInvocationIndex & 15u) == 0u) {
         sub_light[sub] = light_sum;
         sub_there[sub] = s.there ? 1u : 0u;
