@@ -6,7 +6,7 @@
 
 /* The push constants of shaders/multires/fragments.glsl. */
 typedef struct multires_push {
-    uint32_t root, light_count, tiles[2], level, differing, steep;
+    uint32_t tiles[2], level, differing, steep;
     float plane_limit, normal_limit;
     uint32_t points;
 } multires_push;

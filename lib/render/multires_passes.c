@@ -39,9 +39,7 @@ gpu_status multires_create(render_frame *frame, const multires_settings *setting
     uint32_t down = (frame->height + MULTIRES_TILE - 1) / MULTIRES_TILE;
     m->tiles = (size_t)across * down;
     for (uint32_t l = 0; l < RENDER_LEVELS; l++)
-        m->push[l] = (multires_push){.root = m->shadows.tracer.root,
-                                     .light_count = m->shadows.light_count,
-                                     .tiles = {across, down},
+        m->push[l] = (multires_push){.tiles = {across, down},
                                      .level = l,
                                      .differing = settings->differing,
                                      .steep = settings->steep,

@@ -20,6 +20,8 @@ const render_pipeline *const render_pipelines[] = {
     &upsample8_pipeline,
     /* with shadows */
     &shadows_pipeline,
+    &shadows2_pipeline,
+    &shadows4_pipeline,
     &multires_pipeline,
     &multires_same_pipeline,
     &multires_apart_pipeline,

@@ -73,11 +73,16 @@ static gpu_status create_lights(render_frame *frame, shadows *s)
     for (size_t i = 0; i < count; i++)
         add_light(&scene->area_lights[i], &lights);
     s->light_count = lights.area_count;
+    size_t size = lights.area_count * sizeof *lights.areas;
+    uint32_t head[4] = {s->tracer.root, s->light_count, 0, 0};
     gpu_status status = upload(frame->device, lights.triangles,
                                lights.triangle_count * sizeof *lights.triangles, &s->triangles);
     if (status == GPU_OK)
-        status = upload(frame->device, lights.areas, lights.area_count * sizeof *lights.areas,
-                        &s->areas);
+        status = gpu_buffer_create(frame->device, sizeof head + size, &s->areas);
+    if (status == GPU_OK) {
+        memcpy(gpu_buffer_map(s->areas), head, sizeof head);
+        memcpy((char *)gpu_buffer_map(s->areas) + sizeof head, lights.areas, size);
+    }
     if (status == GPU_OK)
         status = upload(frame->device, lights.points,
                         lights.area_count * SHADOWS_POINTS * sizeof *lights.points, &s->points);
@@ -155,7 +160,8 @@ static gpu_status create(render_frame *frame, void **state)
     *r = (reference){0};
     gpu_status status = shadows_create(frame, &r->shadows);
     if (status == GPU_OK)
-        status = shadows_compute(frame, "shadows/shadows.comp", own, 1, 12, &r->compute);
+        status =
+            shadows_compute(frame, "shadows/shadows.comp", own, 1, sizeof(uint32_t), &r->compute);
     if (status == GPU_OK)
         *state = r;
     else
@@ -174,23 +180,21 @@ static gpu_status run(render_frame *frame, void *state, render_statistics *stati
     uint32_t strip = (uint32_t)fmin(fmax(strip_rays / fmax(rays, 1), 1), all);
     uint32_t count = (all + strip - 1) / strip;
     gpu_step *steps = base_allocate(count * sizeof *steps);
-    uint32_t(*push)[3] = base_allocate(count * sizeof *push);
+    uint32_t *first_rows = base_allocate(count * sizeof *first_rows);
     for (uint32_t i = 0; i < count; i++) {
         uint32_t left = all - i * strip;
-        push[i][0] = r->shadows.tracer.root;
-        push[i][1] = r->shadows.light_count;
-        push[i][2] = i * strip * HEIGHT;
+        first_rows[i] = i * strip * HEIGHT;
         steps[i] = (gpu_step){
             .name = "shadows",
             .compute = r->compute,
-            .push = push[i],
+            .push = &first_rows[i],
             .groups = {(frame->width + WIDTH - 1) / WIDTH, left < strip ? left : strip, 1}};
         shadows_bind(frame, &r->shadows, &steps[i]);
         steps[i].resources[SHADOWS_BINDINGS] = frame->light;
     }
     gpu_status status = render_run(frame, steps, (int)count, statistics);
     free(steps);
-    free(push);
+    free(first_rows);
     return status;
 }
 

@@ -34,6 +34,6 @@ void shadows_points(const render_area_light *light, double lift, float points[SH
 /* The corners' mean normal times the area. */
 void shadows_normal(const render_area_light *light, double normal[3]);
 
-extern const render_pipeline shadows_pipeline;
+extern const render_pipeline shadows_pipeline, shadows2_pipeline, shadows4_pipeline;
 
 #endif

@@ -7,7 +7,6 @@
 
 layout(push_constant) uniform Push
 {
-    uint root, light_count;
     uvec2 tiles;          // of 16 pixels, in the image
     uint level;           // that this dispatch does
     uint differing;       // bits of visibility that make a fragment split

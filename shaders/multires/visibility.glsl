@@ -18,7 +18,7 @@ float see_light(uint light, Surface s, uint set, inout uint rays)
     float weight = form > 0.0 ? area_weight(light, set * 16u + point, s) : 0.0;
     bool sees = false;
     if (weight > 0.0) {
-        sees = area_sees(light, set * 16u + point, s, root);
+        sees = area_sees(light, set * 16u + point, s);
         rays++;
     }
     place_seen[mine] = sees ? weight : 0.0;

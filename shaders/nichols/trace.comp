@@ -29,7 +29,7 @@ vec3 light_fragment(uint light, Surface s, uint kept, inout uint rays)
     float weight = form > 0.0 ? area_weight(light, mine, s) : 0.0;
     bool sees = false;
     if (weight > 0.0) {
-        sees = area_sees(light, mine, s, root);
+        sees = area_sees(light, mine, s);
         rays++;
     }
     seen_weights[mine] = sees ? weight : 0.0;

@@ -19,7 +19,13 @@ struct Area {
     vec4 exitance; // w: 0
     uvec4 range;   // first of its triangles among the lights, how many; 0, 0
 };
-layout(set = 0, binding = 3, std430) readonly buffer Areas { Area areas[]; };
+layout(set = 0, binding = 3, std430) readonly buffer Areas
+{
+    uint root; // for trace_scene
+    uint light_count;
+    uint unused[2];
+    Area areas[];
+};
 layout(set = 0, binding = 4, std430) readonly buffer Points
 {
     vec4 area_points[]; // 64 a light, a little in front of it
@@ -74,7 +80,7 @@ float area_weight(uint light, uint point, Surface s)
 }
 
 // Nothing between a surface and a point of a light; one ray.
-bool area_sees(uint light, uint point, Surface s, uint root)
+bool area_sees(uint light, uint point, Surface s)
 {
     vec3 d = area_points[AREA_POINTS * light + point].xyz - s.origin;
     Ray ray = trace_ray(s.origin, d, 1.0);
