@@ -39,8 +39,10 @@ typedef struct scenes_view {
     bool detailed;
     const char *method; /* NULL: the renderer's default */
     const char *truth;  /* pipeline that the others are compared with; NULL: `exact` */
-    int runs;           /* interleaved: every pipeline once, then every pipeline again */
-    bool truth_once;    /* `exact`, which takes long, only in the first of them */
+    /* Interleaved: every pipeline once, then every pipeline again; 0: once, and times mean nothing
+     */
+    int runs;
+    bool truth_once; /* `exact`, which takes long, only in the first of them */
 } scenes_view;
 
 /* Called once a pipeline, the truth first, with what it made: 4 floats a pixel. The frame holds the

@@ -132,7 +132,7 @@ static bool shoot(const scenes_plan *plan, const render_scene *base, bool light,
         f.at = 0;
         scenes_table_free(&table);
         scenes_view view = {plan->device, &scene, base->name, WIDTH, HEIGHT,
-                            false,        NULL,   NULL,       1,     true};
+                            false,        NULL,   NULL,       0,     true};
         good = scenes_measure(&view, pipelines, look, &f, &table);
         base_progress_step(progress, light ? "moving light" : "moving camera");
     }

@@ -33,12 +33,9 @@ static VkResult create_set(gpu_compute *compute)
     return vkAllocateDescriptorSets(compute->owner->device, &set, &compute->set);
 }
 
-gpu_status gpu_compute_create(gpu_device *device, const gpu_compute_options *options,
-                              gpu_compute **out)
+static gpu_status make_compute(gpu_device *device, const gpu_compute_options *options,
+                               gpu_compute **out)
 {
-    *out = NULL;
-    if (options->statistics && !device->info.statistics)
-        return gpu_fail(GPU_UNSUPPORTED, "%s reports no pipeline statistics", device->info.name);
     VkShaderModule module;
     gpu_shader shader = {options->source, options->words, options->word_count};
     gpu_status status =
@@ -69,9 +66,26 @@ gpu_status gpu_compute_create(gpu_device *device, const gpu_compute_options *opt
     return GPU_OK;
 }
 
+gpu_status gpu_compute_create(gpu_device *device, const gpu_compute_options *options,
+                              gpu_compute **out)
+{
+    *out = NULL;
+    if (options->statistics && !device->info.statistics)
+        return gpu_fail(GPU_UNSUPPORTED, "%s reports no pipeline statistics", device->info.name);
+    gpu_kept *entry = gpu_kept_compute(device, options, out);
+    if (*out)
+        return GPU_OK;
+    gpu_status status = make_compute(device, options, out);
+    if (status == GPU_OK)
+        gpu_keep(device, entry, *out, NULL);
+    else
+        free(entry);
+    return status;
+}
+
 void gpu_compute_destroy(gpu_compute *compute)
 {
-    if (!compute)
+    if (!compute || compute->kept)
         return;
     VkDevice device = compute->owner->device;
     vkDestroyDescriptorPool(device, compute->pool, NULL);

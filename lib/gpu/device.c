@@ -159,6 +159,7 @@ void gpu_device_close(gpu_device *device)
 {
     if (!device)
         return;
+    gpu_keep_no_more(device);
     if (device->device) {
         vkDestroySampler(device->device, device->nearest, NULL);
         vkDestroyQueryPool(device->device, device->queries, NULL);

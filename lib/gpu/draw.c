@@ -124,9 +124,14 @@ gpu_status gpu_draw_create(gpu_device *device, const gpu_draw_options *options, 
     gpu_status status = check(device, options);
     if (status != GPU_OK)
         return status;
+    gpu_kept *entry = gpu_kept_draw(device, options, out);
+    if (*out)
+        return GPU_OK;
     gpu_draw *draw = calloc(1, sizeof *draw);
-    if (!draw)
+    if (!draw) {
+        free(entry);
         return gpu_fail(GPU_OUT_OF_MEMORY, "%s: out of host memory", options->name);
+    }
     draw->owner = device;
     draw->target_count = options->target_count;
     memcpy(draw->targets, options->targets, sizeof draw->targets);
@@ -139,15 +144,17 @@ gpu_status gpu_draw_create(gpu_device *device, const gpu_draw_options *options, 
     status = create(draw, options);
     if (status != GPU_OK) {
         gpu_draw_destroy(draw);
+        free(entry);
         return status;
     }
+    gpu_keep(device, entry, NULL, draw);
     *out = draw;
     return GPU_OK;
 }
 
 void gpu_draw_destroy(gpu_draw *draw)
 {
-    if (!draw)
+    if (!draw || draw->kept)
         return;
     vkDestroyPipeline(draw->owner->device, draw->pipeline, NULL);
     gpu_layout_destroy(draw->owner, &draw->layout);

@@ -7,6 +7,8 @@
 
 #include <vulkan/vulkan.h>
 
+typedef struct gpu_kept gpu_kept;
+
 struct gpu_device {
     VkInstance instance;
     VkDebugUtilsMessengerEXT messenger;
@@ -23,6 +25,7 @@ struct gpu_device {
     VkPhysicalDeviceLimits limits;
     bool draws; /* has a graphics queue and dynamic rendering */
     PFN_vkGetPipelineExecutableStatisticsKHR get_statistics;
+    gpu_kept *kept; /* pipelines, see keep.c */
     gpu_device_info info;
     int message_count;
     char messages[4096];
@@ -69,6 +72,7 @@ struct gpu_compute {
     VkPipeline pipeline;
     VkDescriptorPool pool;
     VkDescriptorSet set;
+    bool kept; /* until the device is closed */
 };
 
 struct gpu_draw {
@@ -78,6 +82,7 @@ struct gpu_draw {
     int target_count;
     gpu_format targets[GPU_MAX_TARGETS];
     bool depth;
+    bool kept;
 };
 
 /* The status of a Vulkan result that is not VK_SUCCESS, with its line: "what: reason". */
@@ -95,6 +100,15 @@ void gpu_describe(VkPhysicalDevice physical, VkPhysicalDeviceProperties2 *proper
 
 /* logical.c: the device proper, its queue, and what is made once for it. */
 gpu_status gpu_create_device(gpu_device *device);
+
+/* keep.c. Asking: where the device keeps such a pipeline it is stored, and NULL returned; else an
+ * entry for gpu_keep, or NULL where such a pipeline is not kept. */
+gpu_kept *gpu_kept_compute(gpu_device *device, const gpu_compute_options *options,
+                           gpu_compute **compute);
+gpu_kept *gpu_kept_draw(gpu_device *device, const gpu_draw_options *options, gpu_draw **draw);
+/* Keeps one of the two from now on; entry NULL: does nothing. */
+void gpu_keep(gpu_device *device, gpu_kept *entry, gpu_compute *compute, gpu_draw *draw);
+void gpu_keep_no_more(gpu_device *device);
 
 /* layout.c */
 VkResult gpu_layout_create(gpu_device *device, gpu_layout *layout);
