@@ -141,6 +141,36 @@ bool report_scenes(report *report)
         "scene",  "#width",         "#height", "normals",       "pipeline",
         "#rel",   "#median",        "#p99",    "#jump",         "#uncovered",
         "#wrong", "#evaluations %", "#ms",     "#times faster", NULL};
+    static const char *const bar_names[] = {"scene",
+                                            "width",
+                                            "height",
+                                            "normals",
+                                            "pipeline",
+                                            "evaluations_percent",
+                                            "rel",
+                                            "p50",
+                                            "p99",
+                                            "rel_lower_percent",
+                                            "p99_lower_percent",
+                                            "rel_lower_than_split_percent",
+                                            "integration_over_limit",
+                                            "pixels_uncovered_or_wrong",
+                                            NULL};
+    static const char *const bar_titles[] = {"scene",
+                                             "#width",
+                                             "#height",
+                                             "normals",
+                                             "pipeline",
+                                             "#evaluations %",
+                                             "#rel",
+                                             "#median",
+                                             "#p99",
+                                             "#rel lower by %",
+                                             "#p99 lower by %",
+                                             "#than the split",
+                                             "#integration",
+                                             "#bad pixels",
+                                             NULL};
     static const char *const rate_names[] = {
         "scene",       "width",       "height", "pipeline", "lighting_ratio",
         "frame_ratio", "paper_ratio", "rel",    NULL};
@@ -184,6 +214,13 @@ bool report_scenes(report *report)
                    "and a rival, all of one view with the same exposure; and their errors of "
                    "irradiance, relative to the image mean and times four, from green to red.") &&
            report_scene_charts(report) &&
+           table(
+               report, "bars.csv", bar_names, bar_titles,
+               "Ours beside what was asked: at most 1.6 % of ground truth's light evaluations, "
+               "rel .05 (.06 on detailed normals), p99 .20, median .005; at equal lighting time "
+               "rel and p99 half those of the best upsampling and rel 10 % below the near and far "
+               "split with upsampling; an integration of at most twice the time of reading the "
+               "G-buffer and writing the light; no pixel uncovered or wrongly owned.") &&
            table(report, "views.csv", view_names, view_titles,
                  "Every view. Errors of irradiance against ground truth, relative to the image's "
                  "mean; light evaluations as the shaders counted them; time of all lighting passes "

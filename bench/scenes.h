@@ -61,6 +61,9 @@ void scenes_table_free(scenes_table *table);
 bool scenes_write_csv(const scenes_table *table, const char *path);
 bool scenes_write_passes(const scenes_table *table, const char *path);
 
+/* scenes_bars.c: our pipelines beside what is asked of them. An empty field: no such rival ran. */
+bool scenes_write_bars(const scenes_table *table, const char *path);
+
 /* ---- scenes_picture.c ------------------------------------------------------------------------ */
 
 /* The error of each pixel times four in false colours, green low, red high, black where there is no

@@ -54,16 +54,18 @@ bool scenes_views(const scenes_plan *plan)
         return false;
     scenes_table table = {0};
     char *pictures = base_join(plan->out, "pictures"), *csv = base_join(plan->out, "views.csv"),
-         *passes = base_join(plan->out, "passes.csv");
+         *passes = base_join(plan->out, "passes.csv"), *bars = base_join(plan->out, "bars.csv");
     bool good = base_make_directory(pictures);
     base_progress *progress = base_progress_begin("views", count * (plan->quick ? 2 : 4));
     for (size_t i = 0; i < count && good; i++)
         good = one_scene(plan, paths[i], pictures, &table, progress);
     base_progress_end(progress);
-    good = good && scenes_write_csv(&table, csv) && scenes_write_passes(&table, passes);
+    good = good && scenes_write_csv(&table, csv) && scenes_write_passes(&table, passes) &&
+           scenes_write_bars(&table, bars);
     free(pictures);
     free(csv);
     free(passes);
+    free(bars);
     scenes_table_free(&table);
     base_list_free(paths, count);
     return good;

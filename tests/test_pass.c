@@ -204,6 +204,48 @@ static void indirect_dispatch_from_words(void **state)
     close_clean(device);
 }
 
+/* The same words with the same bindings are one pipeline, as long as the device lives; with others
+ * it is another. */
+static void pipelines_of_words_are_kept(void **state)
+{
+    (void)state;
+    static const char source[] = "#version 450\n"
+                                 "layout(local_size_x = 1) in;\n"
+                                 "layout(set = 0, binding = 0) buffer B { uint n; };\n"
+                                 "void main() { n += 1u; }\n";
+    gpu_device *device = open_software_device();
+    uint32_t *words;
+    size_t word_count;
+    must(gpu_compile("kept", source, &words, &word_count));
+    gpu_compute_options options = {.name = "kept",
+                                   .words = words,
+                                   .word_count = word_count,
+                                   .binding_count = 1,
+                                   .bindings = {GPU_STORAGE_BUFFER}};
+    gpu_compute *first, *second, *other, *from_source;
+    must(gpu_compute_create(device, &options, &first));
+    gpu_compute_destroy(first);
+    must(gpu_compute_create(device, &options, &second));
+    assert_ptr_equal(first, second);
+    options.push_size = 4;
+    must(gpu_compute_create(device, &options, &other));
+    assert_ptr_not_equal(first, other);
+    options = (gpu_compute_options){
+        .name = "kept", .source = source, .binding_count = 1, .bindings = {GPU_STORAGE_BUFFER}};
+    must(gpu_compute_create(device, &options, &from_source));
+    assert_ptr_not_equal(first, from_source);
+    gpu_compute_destroy(from_source);
+    gpu_buffer *buffer = make_buffer(device, 4);
+    *(uint32_t *)gpu_buffer_map(buffer) = 40;
+    const gpu_step steps[] = {{.compute = first, .resources = {buffer}},
+                              {.compute = second, .resources = {buffer}}};
+    must(gpu_run(device, steps, 2, NULL));
+    assert_int_equal(*(uint32_t *)gpu_buffer_map(buffer), 42);
+    gpu_buffer_destroy(buffer);
+    free(words);
+    close_clean(device);
+}
+
 static void refuses_impossible_images(void **state)
 {
     (void)state;
@@ -253,6 +295,7 @@ int main(void)
         cmocka_unit_test(steps_follow_each_other),
         cmocka_unit_test(storage_images_of_each_format),
         cmocka_unit_test(indirect_dispatch_from_words),
+        cmocka_unit_test(pipelines_of_words_are_kept),
         cmocka_unit_test(refuses_impossible_images),
         cmocka_unit_test(names_the_limit_that_is_missing),
         cmocka_unit_test(failures_of_the_device_are_said),

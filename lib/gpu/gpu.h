@@ -135,7 +135,9 @@ typedef struct gpu_compute_options {
  */
 gpu_status gpu_compute_create(gpu_device *device, const gpu_compute_options *options,
                               gpu_compute **compute);
-void gpu_compute_destroy(gpu_compute *compute); /* NULL is fine */
+/* NULL is fine. A pipeline made of SPIR-V words stays with its device and serves whoever asks for
+ * the same again: a software driver takes a second or more to compile it at its first use. */
+void gpu_compute_destroy(gpu_compute *compute);
 
 typedef struct gpu_dispatch {
     gpu_compute *compute;
