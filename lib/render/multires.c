@@ -71,6 +71,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
     const render_pipeline multires##NAME##_pipeline = {                                            \
         .id = ID,                                                                                  \
         .title = TITLE,                                                                            \
+        .shadows = true,                                                                           \
         .create = create##NAME,                                                                    \
         .run = run,                                                                                \
         .destroy = destroy,                                                                        \

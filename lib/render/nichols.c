@@ -91,6 +91,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
 const render_pipeline nichols_pipeline = {
     .id = "nichols",
     .title = "area lights with shadows by refinement between neighbours (Nichols et al. 2010)",
+    .shadows = true,
     .create = create,
     .run = run,
     .destroy = destroy,

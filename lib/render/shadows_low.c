@@ -116,6 +116,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
     const render_pipeline shadows##FACTOR##_pipeline = {                                           \
         .id = "shadows" #FACTOR,                                                                   \
         .title = "area lights with shadows at " TITLE " resolution, joint bilateral upsampling",   \
+        .shadows = true,                                                                           \
         .create = create##FACTOR,                                                                  \
         .run = run,                                                                                \
         .destroy = destroy,                                                                        \
