@@ -29,10 +29,10 @@ static const pass_layout layouts[HULL_PASSES] = {
                     {VIEW, POSITION, NORMAL, HULL_B_LINKS, HULL_B_ROW_BOUNDS, END}},
     [HULL_COMPONENTS] = {"hull/components.comp",
                          {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_COMPONENTS,
-                          HULL_B_ARGUMENTS, HULL_B_EXACT, HULL_B_SEEDS, END}},
-    [HULL_SEED] = {"hull/seed.comp",
-                   {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_SEEDS, HULL_B_MAP,
-                    HULL_B_VERTEX_PIXELS, HULL_B_QUADS, END}},
+                          HULL_B_ARGUMENTS, HULL_B_EXACT, HULL_B_QUADS, END}},
+    [HULL_CLAIM] = {"hull/claim.comp",
+                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
+                     HULL_B_VERTEX_PIXELS, HULL_B_QUADS, END}},
     [HULL_MEAN_SAMPLES] = {"hull/mean.comp",
                            {VIEW, LIGHTS, COUNTERS, POSITION, NORMAL, HULL_B_SAMPLES, END}},
     [HULL_MEAN_SUM] = {"hull/mean_sum.comp", {VIEW, HULL_B_CONTROL, HULL_B_SAMPLES, END}},
@@ -41,9 +41,8 @@ static const pass_layout layouts[HULL_PASSES] = {
                      {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
                       HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
     [HULL_SPLIT] = {"hull/split.comp",
-                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
-                     HULL_B_VERTEX_PIXELS, HULL_B_QUADS, HULL_B_VERTICES, HULL_B_LEAVES, POSITION,
-                     NORMAL, END}},
+                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
+                     HULL_B_VERTICES, HULL_B_LEAVES, POSITION, NORMAL, END}},
     [HULL_EMIT] = {"hull/emit.comp",
                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
                     HULL_B_LEAVES, HULL_B_CORNERS, HULL_B_ARGUMENTS, HULL_B_EXACT, END}},
@@ -136,7 +135,6 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
         [HULL_B_ROW_BOUNDS] = 64 * HULL_TILE * tiles,
         [HULL_B_MASKS] = 4 * HULL_TILE * HULL_MOST_COMPONENTS * tiles,
         [HULL_B_COMPONENTS] = 8 * HULL_MOST_COMPONENTS * tiles,
-        [HULL_B_SEEDS] = 4 * HULL_MOST_COMPONENTS * tiles,
         [HULL_B_MAP] = 4 * pixels,
         [HULL_B_VERTEX_PIXELS] = 4 * vertices,
         [HULL_B_VERTICES] = HULL_VERTEX_BYTES * vertices,
@@ -277,9 +275,9 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
     add_groups(&l, "components", HULL_COMPONENTS, (h->tiles + 7) / 8);
     add_groups(&l, "mean", HULL_MEAN_SAMPLES, HULL_MEAN_ROWS);
     add_groups(&l, "mean", HULL_MEAN_SUM, 1);
-    add_groups(&l, "next", HULL_NEXT, 1);
-    add_indirect(&l, "seed", HULL_SEED, 0, HULL_SEED_GROUPS);
     for (int level = 0; level < HULL_LEVELS; level++) {
+        add(&l, "next", HULL_NEXT, level);
+        add_indirect(&l, "claim", HULL_CLAIM, level, HULL_CLAIM_GROUPS);
         add(&l, "next", HULL_NEXT, level);
         add_indirect(&l, "gather", HULL_GATHER, level, HULL_GATHER_GROUPS);
         add_indirect(&l, "split", HULL_SPLIT, level, HULL_SPLIT_GROUPS);

@@ -13,14 +13,13 @@ typedef struct hull_push {
 
 /* Words of Control in shaders/hull/control.glsl. */
 enum {
-    HULL_SEED_GROUPS = 0,
+    HULL_CLAIM_GROUPS = 0,
     HULL_GATHER_GROUPS = 3,
     HULL_SPLIT_GROUPS = 6,
     HULL_LEAF_GROUPS = 9,
     HULL_NEAR_GROUPS = 12,
     HULL_DRAW = 15,
-    HULL_SEED_COUNT = 19,
-    HULL_LEAF_COUNT,
+    HULL_LEAF_COUNT = 19,
     HULL_NEAR_COUNT,
     HULL_VERTEX_COUNT,
     HULL_GATHER_FIRST,
@@ -33,7 +32,7 @@ enum {
 typedef enum hull_pass {
     HULL_LINKS,
     HULL_COMPONENTS,
-    HULL_SEED,
+    HULL_CLAIM,
     HULL_MEAN_SAMPLES,
     HULL_MEAN_SUM,
     HULL_NEXT,
@@ -55,7 +54,6 @@ typedef enum hull_buffer {
     HULL_B_ROW_BOUNDS, /* 2 Bounds a row of a tile */
     HULL_B_MASKS,      /* 32 words a component */
     HULL_B_COMPONENTS, /* label and number of pixels */
-    HULL_B_SEEDS,
     HULL_B_MAP, /* a word a pixel */
     HULL_B_VERTEX_PIXELS,
     HULL_B_VERTICES,

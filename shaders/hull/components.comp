@@ -1,8 +1,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // components.comp: connected components of a tile by flooding rows of bits, one invocation a tile.
-// The components come in the order of their first pixel, which is also their label. Small ones are
-// left to be lit exactly, as they would have about as many vertices as pixels.
+// The components come in the order of their first pixel, which is also their label; each begins as
+// one quad. Small ones are left to be lit exactly: they have about as few pixels as a quad has
+// vertices. Rows are unrolled by macros: indexed arrays are slow in many compilers, and lavapipe
+// ends a shader after 65,535 rounds of all its loops together.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 #include "control.glsl"
@@ -30,20 +32,27 @@ layout(set = 0, binding = 6, std430) writeonly buffer Exact
 {
     uint exact_pixels[];
 };
-layout(set = 0, binding = 7, std430) writeonly buffer Seeds
+layout(set = 0, binding = 7, std430) writeonly buffer Quads
 {
-    uint seeds[]; // components that begin as a quad
+    Quad quads[];
 };
+
+#define EACH4(X, y) X(y) X(y + 1) X(y + 2) X(y + 3)
+#define EACH8(X, y) EACH4(X, y) EACH4(X, y + 4)
+#define EACH_ROW(X) EACH8(X, 0) EACH8(X, 8) EACH8(X, 16) EACH8(X, 24)
+#define BACK4(X, y) X(y) X(y - 1) X(y - 2) X(y - 3)
+#define BACK8(X, y) BACK4(X, y) BACK4(X, y - 4)
+#define EACH_ROW_BACK(X) BACK8(X, 31) BACK8(X, 23) BACK8(X, 15) BACK8(X, 7)
 
 // Spreads bits along a row; bit x of right: x is linked to x + 1.
 uint flood(uint m, uint right)
 {
     uint p = right << 1, q = right;
-    for (int step = 1; step < 32; step <<= 1) {
-        m |= (p & (m << step)) | (q & (m >> step));
-        p &= p << step;
-        q &= q >> step;
-    }
+#define SPREAD(step)                                                                               \
+    m |= (p & (m << step)) | (q & (m >> step));                                                    \
+    p &= p << step;                                                                                \
+    q &= q >> step;
+    SPREAD(1) SPREAD(2) SPREAD(4) SPREAD(8) SPREAD(16)
     return m;
 }
 
@@ -52,61 +61,79 @@ void main()
     uint tile = gl_GlobalInvocationID.x;
     if (tile >= tiles_x * tiles_y)
         return;
-    uint surface[TILE], right[TILE], down[TILE], mask[TILE];
+    uint left[TILE], right[TILE], down[TILE], mask[TILE], rest[TILE]; // left: without a component
     uint gaps = 0u; // 0: every pixel is linked to the next, and every row to the one below
-    for (int y = 0; y < TILE; y++) {
-        uvec4 row = links[tile * uint(TILE) + uint(y)];
-        surface[y] = row.x;
-        right[y] = row.y & 0x7fffffffu;
-        down[y] = y < TILE - 1 ? row.z : 0u;
-        gaps |= right[y] ^ 0x7fffffffu | (y < TILE - 1 && down[y] == 0u ? 1u : 0u);
+#define READ(Y)                                                                                    \
+    {                                                                                              \
+        uvec4 row = links[tile * uint(TILE) + uint(Y)];                                            \
+        left[Y] = row.x;                                                                           \
+        right[Y] = row.y & 0x7fffffffu;                                                            \
+        down[Y] = Y < TILE - 1 ? row.z : 0u;                                                       \
+        rest[Y] = 0u;                                                                              \
+        gaps |= (right[Y] ^ 0x7fffffffu) | (Y < TILE - 1 && down[Y] == 0u ? 1u : 0u);              \
     }
+    EACH_ROW(READ)
     uint count = 0u;
     ivec2 origin = TILE * ivec2(tile % tiles_x, tile / tiles_x);
-    for (int first = 0; first < TILE;) {
-        if (surface[first] == 0u) {
-            first++;
-            continue;
-        }
-        for (int y = 0; y < TILE; y++)
-            mask[y] = gaps == 0u ? surface[y] : 0u;
-        uint seed = surface[first] & -surface[first];
-        mask[first] |= seed;
+    while (true) {
+        uint seed = 0u, label = 0u;
+#define SEED(Y)                                                                                    \
+    mask[Y] = 0u;                                                                                  \
+    if (seed == 0u && left[Y] != 0u) {                                                             \
+        seed = left[Y] & (0u - left[Y]);                                                           \
+        mask[Y] = seed;                                                                            \
+        label = uint(origin.y + Y) * view.size.x + uint(origin.x + findLSB(seed));                 \
+    }                                                                                              \
+    mask[Y] = gaps == 0u ? left[Y] : mask[Y];
+        EACH_ROW(SEED)
+        if (seed == 0u)
+            break;
         bool spreads = gaps != 0u;
         while (spreads) {
             spreads = false;
-            for (int i = first; i < 2 * TILE - first; i++) { // down, then up
-                int y = i < TILE ? i : 2 * TILE - 1 - i;
-                uint m = mask[y];
-                m |= y > 0 ? mask[y - 1] & down[y - 1] : 0u;
-                m |= y < TILE - 1 ? mask[y + 1] & down[y] : 0u;
-                m = flood(m, right[y]);
-                spreads = spreads || m != mask[y];
-                mask[y] = m;
-            }
+#define TAKE(Y)                                                                                    \
+    {                                                                                              \
+        uint m = mask[Y] | (mask[max(Y - 1, 0)] & down[max(Y - 1, 0)] & (Y > 0 ? NONE : 0u))       \
+            | (mask[min(Y + 1, TILE - 1)] & down[Y]);                                              \
+        m = flood(m, right[Y]);                                                                    \
+        spreads = spreads || m != mask[Y];                                                         \
+        mask[Y] = m;                                                                               \
+    }
+            EACH_ROW(TAKE)
+            EACH_ROW_BACK(TAKE)
         }
         uint pixels = 0u;
-        for (int y = first; y < TILE; y++) {
-            pixels += uint(bitCount(mask[y]));
-            surface[y] &= ~mask[y];
-        }
+#define COUNT(Y) pixels += uint(bitCount(mask[Y]));
+        EACH_ROW(COUNT)
         bool keep = pixels > SMALL_COMPONENT && count < MOST_COMPONENTS;
+        uint component = tile * MOST_COMPONENTS + count;
+#define TAKE_OUT(Y)                                                                                \
+    left[Y] &= ~mask[Y];                                                                           \
+    rest[Y] |= keep ? 0u : mask[Y];                                                                \
+    if (keep)                                                                                      \
+        masks[component * uint(TILE) + uint(Y)] = mask[Y];
+        EACH_ROW(TAKE_OUT)
         if (keep) {
-            uint component = tile * MOST_COMPONENTS + count++;
-            for (int y = 0; y < TILE; y++)
-                masks[component * uint(TILE) + uint(y)] = mask[y];
-            components[component] = uvec2(
-                uint(origin.y + first) * view.size.x + uint(origin.x + findLSB(seed)), pixels);
-            seeds[atomicAdd(seed_count, 1u)] = component;
-        } else {
-            uint slot = atomicAdd(exact_count, pixels) - 1u;
-            atomicMax(exact_groups[0], (slot + pixels + 63u) / 64u);
-            for (int y = first; y < TILE; y++)
-                for (uint m = mask[y]; m != 0u; m &= m - 1u)
-                    exact_pixels[slot++] =
-                        uint(origin.y + y) * view.size.x + uint(origin.x + findLSB(m));
+            components[component] = uvec2(label, pixels);
+            count++;
+            uint at = atomicAdd(quad_count[0], 1u);
+            quads[at].component = component;
+            quads[at].origin = pack_pixel(origin);
+            quads[at].size = uint(TILE);
         }
     }
-    for (; count < MOST_COMPONENTS; count++)
-        components[tile * MOST_COMPONENTS + count] = uvec2(0u);
+    for (uint i = count; i < MOST_COMPONENTS; i++)
+        components[tile * MOST_COMPONENTS + i] = uvec2(0u);
+
+    uint pixels = 0u;
+#define COUNT_REST(Y) pixels += uint(bitCount(rest[Y]));
+    EACH_ROW(COUNT_REST)
+    if (pixels == 0u)
+        return;
+    uint slot = atomicAdd(exact_count, pixels) - 1u;
+    atomicMax(exact_groups[0], (slot + pixels + 63u) / 64u);
+#define LEAVE(Y)                                                                                   \
+    for (uint m = rest[Y]; m != 0u; m &= m - 1u)                                                   \
+        exact_pixels[slot++] = uint(origin.y + Y) * view.size.x + uint(origin.x + findLSB(m));
+    EACH_ROW(LEAVE)
 }

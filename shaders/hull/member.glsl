@@ -84,22 +84,6 @@ uint claim_vertex(uint component, ivec2 p)
     }
     return pixel;
 }
-
-// A quad of a component, at a place in its tile, with its vertices.
-Quad make_quad(uint component, ivec2 p, int size)
-{
-    Quad q;
-    q.component = component;
-    q.origin = pack_pixel(tile_origin(component) + p);
-    q.size = uint(size);
-    q.centre = claim_vertex(component, p + size / 2);
-    q.corners.x = claim_vertex(component, p);
-    q.corners.y = claim_vertex(component, p + ivec2(size, 0));
-    q.corners.z = claim_vertex(component, p + ivec2(0, size));
-    q.corners.w = claim_vertex(component, p + size);
-    return q;
-}
-
 #endif
 
 // Does the component have a pixel in this part of its tile?

@@ -14,10 +14,12 @@ struct Bounds {
 // Could the light be near to a point within the bounds?
 bool may_be_near(Light l, Bounds b, float mean_irradiance)
 {
-    vec3 middle = light_middle(l), d = middle - clamp(middle, b.low.xyz, b.high.xyz);
+    vec3 middle = (l.a.xyz + l.b.xyz + l.c.xyz) * (1.0 / 3.0);
+    float d = distance(middle, clamp(middle, b.low.xyz, b.high.xyz));
+    d = max(d - sqrt(l.plane.w * (1.0 / PI)), 1e-6); // no less than from the disc
     vec3 normal = l.plane.xyz; // and is any of it in front?
     vec3 front = mix(b.low.xyz, b.high.xyz, greaterThan(normal, vec3(0.0)));
-    float error = near_error(l, max(dot(d, d), 1e-12), b.low.w, mean_irradiance);
+    float error = near_error(l, d * d, b.low.w, mean_irradiance);
     return window_place(error) > 0.0 && dot(front - l.a.xyz, normal) >= light_closest;
 }
 

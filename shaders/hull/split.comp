@@ -17,29 +17,26 @@ layout(set = 0, binding = 3, std430) readonly buffer Masks
 {
     uint masks[];
 };
-layout(set = 0, binding = 4, std430) buffer Map
+layout(set = 0, binding = 4, std430) readonly buffer Map
 {
     uint map[];
 };
-layout(set = 0, binding = 5, std430) writeonly buffer VertexPixels
-{
-    uint vertex_pixels[];
-};
-layout(set = 0, binding = 6, std430) buffer Quads
+layout(set = 0, binding = 5, std430) buffer Quads
 {
     Quad quads[];
 };
-layout(set = 0, binding = 7, std430) readonly buffer Vertices
+layout(set = 0, binding = 6, std430) readonly buffer Vertices
 {
     Vertex vertices[];
 };
-layout(set = 0, binding = 8, std430) writeonly buffer Leaves
+layout(set = 0, binding = 7, std430) writeonly buffer Leaves
 {
     uint leaves[];
 };
-layout(set = 0, binding = 9) uniform sampler2D position_image;
-layout(set = 0, binding = 10) uniform usampler2D normal_image;
+layout(set = 0, binding = 8) uniform sampler2D position_image;
+layout(set = 0, binding = 9) uniform usampler2D normal_image;
 
+#define MEMBER_READ_ONLY
 #include "member.glsl"
 
 float split_error(Quad q)
@@ -92,6 +89,9 @@ void main()
     if (children == 0u)
         leaves[atomicAdd(leaf_count, 1u)] = index;
     for (int i = 0; i < 4; i++)
-        if (bit(children, i))
-            quads[at++] = make_quad(q.component, p + size * ivec2(i & 1, i >> 1), size);
+        if (bit(children, i)) {
+            quads[at].component = q.component;
+            quads[at].origin = pack_pixel(unpack_pixel(q.origin) + size * ivec2(i & 1, i >> 1));
+            quads[at++].size = uint(size);
+        }
 }

@@ -8,7 +8,20 @@
 #ifndef WINDOW_GLSL
 #define WINDOW_GLSL
 
-// The estimated error over tau, for a point at squared distance d2 from the light's centroid.
+// Squared distance of a point from a triangle, and its gradient, as if it were a disc: from the side
+// it is that to the rim, so that what lies right beside a light counts as close to it.
+float light_distance2(Light l, vec3 x, out vec3 half_gradient)
+{
+    vec3 middle = (l.a.xyz + l.b.xyz + l.c.xyz) * (1.0 / 3.0);
+    vec3 r = x - middle;
+    float up = dot(r, l.plane.xyz), radius = sqrt(l.plane.w * (1.0 / PI));
+    vec3 aside = r - up * l.plane.xyz;
+    float away = length(aside), past = max(away - radius, 0.0);
+    half_gradient = up * l.plane.xyz + aside * (past / max(away, 1e-9));
+    return max(up * up + past * past, 1e-12);
+}
+
+// The estimated error over tau, for a point at that squared distance.
 float near_error(Light l, float d2, float depth, float mean_irradiance)
 {
     float h = near_pixels * view.eye.w * depth;
@@ -28,18 +41,14 @@ float window_weight(float t)
     return t * t * (3.0 - 2.0 * t);
 }
 
-vec3 light_middle(Light l)
-{
-    return (l.a.xyz + l.b.xyz + l.c.xyz) * (1.0 / 3.0);
-}
-
 // The weight with which a light is near, and its gradient over the place.
 float near_weight(Light l, vec3 x, float depth, float mean_irradiance, out vec3 gradient)
 {
-    vec3 r = light_middle(l) - x;
-    float d2 = dot(r, r);
+    vec3 slope;
+    float d2 = light_distance2(l, x, slope);
     float t = window_place(near_error(l, d2, depth, mean_irradiance));
-    vec3 slope = 2.0 / depth * view.forward.xyz + (2.0 / d2 + 2.0 * PI / (PI * d2 + l.plane.w)) * r;
+    slope = 2.0 / depth * view.forward.xyz
+        - (2.0 / d2 + 2.0 * PI / (PI * d2 + l.plane.w)) * slope;
     gradient = 6.0 * t * (1.0 - t) / (tau_width * log(2.0)) * slope;
     return window_weight(t);
 }

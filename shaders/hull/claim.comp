@@ -1,0 +1,51 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// claim.comp: vertices for the new quads of a level: an invocation for the centre and for each
+// corner.
+#include "../common/frame.glsl"
+#include "hull.glsl"
+#include "control.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(set = 0, binding = 2, std430) readonly buffer Links
+{
+    uvec4 links[];
+};
+layout(set = 0, binding = 3, std430) readonly buffer Masks
+{
+    uint masks[];
+};
+layout(set = 0, binding = 4, std430) buffer Map
+{
+    uint map[]; // a pixel: 0 no vertex, NONE one without a place, else 1 more than its place
+};
+layout(set = 0, binding = 5, std430) writeonly buffer VertexPixels
+{
+    uint vertex_pixels[];
+};
+layout(set = 0, binding = 6, std430) buffer Quads
+{
+    Quad quads[];
+};
+
+#include "member.glsl"
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x / 5u, which = gl_GlobalInvocationID.x % 5u;
+    if (index >= quad_count[level])
+        return;
+    index += quad_first[level];
+    uint component = quads[index].component, corner = which - 1u;
+    if (component == NONE)
+        return;
+    ivec2 p = unpack_pixel(quads[index].origin) - tile_origin(component);
+    int size = int(quads[index].size);
+    p += which == 0u ? ivec2(size / 2) : size * ivec2(corner & 1u, corner >> 1);
+    uint pixel = claim_vertex(component, p);
+    if (which == 0u)
+        quads[index].centre = pixel;
+    else
+        quads[index].corners[corner] = pixel;
+}
