@@ -46,15 +46,15 @@ static const pass_layout layouts[HULL_PASSES] = {
     [HULL_EMIT] = {"hull/emit.comp",
                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
                     HULL_B_LEAVES, HULL_B_CORNERS, HULL_B_ARGUMENTS, HULL_B_EXACT, END}},
-    [HULL_CULL_SUPER] = {"hull/cull_super.comp",
-                         {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
-                          HULL_B_BLOCK_BOUNDS, HULL_B_SUPER_LISTS, END}},
+    [HULL_CULL_TILE] = {"hull/cull_tile.comp",
+                        {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
+                         HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS, END}},
     [HULL_CULL] = {"hull/cull.comp",
-                   {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_BLOCK_BOUNDS, HULL_B_SUPER_LISTS,
+                   {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS,
                     HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
     [HULL_NEAR] = {"hull/near.comp",
                    {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
-                    HULL_B_SUPER_LISTS, HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
+                    HULL_B_TILE_LISTS, HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
     [HULL_EXACT] = {"upsample/exact.comp",
                     {VIEW, LIGHTS, COUNTERS, POSITION, NORMAL, LIGHT, HULL_B_ARGUMENTS,
                      HULL_B_EXACT, END}},
@@ -126,13 +126,13 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
     }
     h->push.quad_first[HULL_LEVELS] = (uint32_t)quads;
     h->push.vertex_capacity = (uint32_t)vertices;
-    size_t lists = (frame->light_count + 1) * (size_t)h->supers;
+    size_t lists = (frame->light_count + 1) * (size_t)h->tiles;
     const size_t bytes[HULL_BUFFERS] = {
         [HULL_B_CONTROL] = 4 * HULL_CONTROL_WORDS,
         [HULL_B_ARGUMENTS] = 16,
         [HULL_B_EXACT] = 4 * pixels,
         [HULL_B_LINKS] = 16 * HULL_TILE * tiles,
-        [HULL_B_ROW_BOUNDS] = 64 * HULL_TILE * tiles,
+        [HULL_B_ROW_BOUNDS] = 128 * HULL_TILE * tiles,
         [HULL_B_MASKS] = 4 * HULL_TILE * HULL_MOST_COMPONENTS * tiles,
         [HULL_B_COMPONENTS] = 8 * HULL_MOST_COMPONENTS * tiles,
         [HULL_B_MAP] = 4 * pixels,
@@ -143,7 +143,7 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
         [HULL_B_CORNERS] = least(16 * 3 * 4 * (quads / 2), most),
         [HULL_B_SAMPLES] = 8 * 32 * HULL_MEAN_ROWS,
         [HULL_B_BLOCK_BOUNDS] = 32 * (size_t)h->blocks,
-        [HULL_B_SUPER_LISTS] = 4 * lists,
+        [HULL_B_TILE_LISTS] = 4 * lists,
         [HULL_B_NEAR_LISTS] = 4 * (HULL_MOST_NEAR + 1) * (size_t)h->blocks,
         [HULL_B_NEAR_BLOCKS] = 4 * (size_t)h->blocks,
     };
@@ -179,8 +179,7 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
     uint32_t x = (frame->width + HULL_TILE - 1) / HULL_TILE;
     uint32_t y = (frame->height + HULL_TILE - 1) / HULL_TILE;
     h->tiles = x * y;
-    h->blocks = 4 * h->tiles;
-    h->supers = ((x + 1) / 2) * ((y + 1) / 2);
+    h->blocks = 16 * h->tiles;
     h->push = (hull_push){.tiles_x = x,
                           .tiles_y = y,
                           .link_plane = settings->link_plane,
@@ -282,7 +281,7 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
         add_indirect(&l, "gather", HULL_GATHER, level, HULL_GATHER_GROUPS);
         add_indirect(&l, "split", HULL_SPLIT, level, HULL_SPLIT_GROUPS);
     }
-    add_groups(&l, "cull", HULL_CULL_SUPER, (h->supers + 7) / 8);
+    add_groups(&l, "cull", HULL_CULL_TILE, (h->tiles + 7) / 8);
     add_groups(&l, "cull", HULL_CULL, (h->blocks + 63) / 64);
     add(&l, "next", HULL_NEXT, HULL_LEVELS);
     add_indirect(&l, "emit", HULL_EMIT, 0, HULL_LEAF_GROUPS);

@@ -8,9 +8,9 @@
 enum {
     HULL_TILE = 32,
     HULL_LEVELS = 4,
-    HULL_MOST_COMPONENTS = 24, /* in a tile */
-    HULL_BLOCK = 16,
-    HULL_MOST_NEAR = 48,
+    HULL_MOST_COMPONENTS = 32, /* in a tile */
+    HULL_BLOCK = 8,
+    HULL_MOST_NEAR = 64,
     HULL_VERTEX_BYTES = 11 * 16,
     HULL_MEAN_ROWS = 18 /* of 32 samples */
 };

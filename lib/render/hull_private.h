@@ -39,7 +39,7 @@ typedef enum hull_pass {
     HULL_GATHER,
     HULL_SPLIT,
     HULL_EMIT,
-    HULL_CULL_SUPER,
+    HULL_CULL_TILE,
     HULL_CULL,
     HULL_NEAR,
     HULL_EXACT,
@@ -51,10 +51,10 @@ typedef enum hull_buffer {
     HULL_B_ARGUMENTS,  /* of the exact pass */
     HULL_B_EXACT,      /* its pixels */
     HULL_B_LINKS,      /* uvec4 a row of a tile */
-    HULL_B_ROW_BOUNDS, /* 2 Bounds a row of a tile */
+    HULL_B_ROW_BOUNDS, /* 4 Bounds a row of a tile */
     HULL_B_MASKS,      /* 32 words a component */
     HULL_B_COMPONENTS, /* label and number of pixels */
-    HULL_B_MAP, /* a word a pixel */
+    HULL_B_MAP,        /* a word a pixel */
     HULL_B_VERTEX_PIXELS,
     HULL_B_VERTICES,
     HULL_B_QUADS, /* 32 bytes each */
@@ -62,7 +62,7 @@ typedef enum hull_buffer {
     HULL_B_CORNERS, /* 16 bytes each */
     HULL_B_SAMPLES,
     HULL_B_BLOCK_BOUNDS,
-    HULL_B_SUPER_LISTS,
+    HULL_B_TILE_LISTS,
     HULL_B_NEAR_LISTS,
     HULL_B_NEAR_BLOCKS,
     HULL_BUFFERS
@@ -70,7 +70,7 @@ typedef enum hull_buffer {
 
 typedef struct hull {
     hull_push push;
-    uint32_t tiles, supers, blocks;
+    uint32_t tiles, blocks;
     gpu_compute *passes[HULL_PASSES];
     gpu_draw *draw;
     gpu_buffer *buffers[HULL_BUFFERS];

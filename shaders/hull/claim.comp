@@ -41,8 +41,9 @@ void main()
     if (component == NONE)
         return;
     ivec2 p = unpack_pixel(quads[index].origin) - tile_origin(component);
-    int size = int(quads[index].size);
-    p += which == 0u ? ivec2(size / 2) : size * ivec2(corner & 1u, corner >> 1);
+    ivec2 size = unpack_pixel(quads[index].size);
+    bool one = level == 0u && all(lessThanEqual(size, ivec2(ONE_VERTEX)));
+    p += which == 0u || one ? size / 2 : size * ivec2(corner & 1u, corner >> 1);
     uint pixel = claim_vertex(component, p);
     if (which == 0u)
         quads[index].centre = pixel;

@@ -2,8 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // components.comp: connected components of a tile by flooding rows of bits, one invocation a tile.
 // The components come in the order of their first pixel, which is also their label; each begins as
-// one quad. Small ones are left to be lit exactly: they have about as few pixels as a quad has
-// vertices. Rows are unrolled by macros: indexed arrays are slow in many compilers, and lavapipe
+// one quad. Single pixels, and what there are too many of, are left to be lit exactly. Rows are unrolled by macros: indexed arrays are slow in many compilers, and lavapipe
 // ends a shader after 65,535 rounds of all its loops together.
 #include "../common/frame.glsl"
 #include "hull.glsl"
@@ -102,8 +101,13 @@ void main()
             EACH_ROW(TAKE)
             EACH_ROW_BACK(TAKE)
         }
-        uint pixels = 0u;
-#define COUNT(Y) pixels += uint(bitCount(mask[Y]));
+        uint pixels = 0u, columns = 0u;
+        int first = TILE, last = 0;
+#define COUNT(Y)                                                                                   \
+    pixels += uint(bitCount(mask[Y]));                                                             \
+    columns |= mask[Y];                                                                            \
+    first = mask[Y] != 0u ? min(first, Y) : first;                                                 \
+    last = mask[Y] != 0u ? Y : last;
         EACH_ROW(COUNT)
         bool keep = pixels > SMALL_COMPONENT && count < MOST_COMPONENTS;
         uint component = tile * MOST_COMPONENTS + count;
@@ -118,8 +122,10 @@ void main()
             count++;
             uint at = atomicAdd(quad_count[0], 1u);
             quads[at].component = component;
-            quads[at].origin = pack_pixel(origin);
-            quads[at].size = uint(TILE);
+            ivec2 low = ivec2(findLSB(columns), first) / STEP * STEP;
+            ivec2 high = ivec2(findMSB(columns), last) / STEP * STEP + STEP;
+            quads[at].origin = pack_pixel(origin + low);
+            quads[at].size = pack_pixel(high - low);
         }
     }
     for (uint i = count; i < MOST_COMPONENTS; i++)

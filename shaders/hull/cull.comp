@@ -1,6 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// cull.comp: for each block the lights that may be near to it, of those of its square of blocks.
+// cull.comp: for each block the lights that may be near to it, of those of its tile.
 #define COUNTERS_BINDING 2
 #define COUNTERS_SHARED
 #define CONTROL_BINDING 3
@@ -18,9 +18,9 @@ layout(set = 0, binding = 4, std430) readonly buffer BlockBounds
 {
     Bounds block_bounds[];
 };
-layout(set = 0, binding = 5, std430) readonly buffer SuperLists
+layout(set = 0, binding = 5, std430) readonly buffer TileLists
 {
-    uint super_lists[];
+    uint tile_lists[];
 };
 layout(set = 0, binding = 6, std430) writeonly buffer NearLists
 {
@@ -33,15 +33,13 @@ layout(set = 0, binding = 7, std430) writeonly buffer NearBlocks
 
 void main()
 {
-    uint index = gl_GlobalInvocationID.x, blocks_x = 2u * tiles_x, tested = 0u;
-    if (index < 4u * tiles_x * tiles_y && block_bounds[index].low.w > 0.0) {
+    uint index = gl_GlobalInvocationID.x, tile = index / uint(ACROSS * ACROSS), tested = 0u;
+    if (tile < tiles_x * tiles_y && block_bounds[index].low.w > 0.0) {
         Bounds b = block_bounds[index];
-        uvec2 square = uvec2(index % blocks_x, index / blocks_x) / uint(SUPER);
-        uint from = (square.y * ((tiles_x + 1u) / 2u) + square.x) * (view.size.z + 1u);
-        uint at = index * (MOST_NEAR + 1u), listed = 0u;
-        tested = super_lists[from];
+        uint from = tile * (view.size.z + 1u), at = index * (MOST_NEAR + 1u), listed = 0u;
+        tested = tile_lists[from];
         for (uint i = 1u; i <= tested; i++) {
-            uint light = super_lists[from + i];
+            uint light = tile_lists[from + i];
             if (may_be_near(lights[light], b, mean)) {
                 listed++;
                 if (listed <= MOST_NEAR)

@@ -45,13 +45,14 @@ layout(set = 0, binding = 9, std430) writeonly buffer Exact
 #define MEMBER_READ_ONLY
 #include "member.glsl"
 
-const int MOST_STEPS = TILE / LEAST_SIZE;
+const int MOST_STEPS = TILE / STEP;
 
 // The pixels of a quad that could not be made, to be lit exactly.
 void leave_to_exact(Quad q, ivec2 p, ivec2 tile)
 {
-    uint columns = (NONE >> (uint(TILE) - q.size)) << p.x;
-    for (int y = p.y; y < p.y + int(q.size); y++)
+    ivec2 size = unpack_pixel(q.size);
+    uint columns = (NONE >> (TILE - size.x)) << p.x;
+    for (int y = p.y; y < p.y + size.y; y++)
         for (uint m = masks[q.component * uint(TILE) + uint(y)] & columns; m != 0u; m &= m - 1u) {
             uint slot = atomicAdd(exact_count, 1u) - 1u;
             exact_pixels[slot] = uint(tile.y + y) * view.size.x + uint(tile.x + findLSB(m));
@@ -65,7 +66,7 @@ void main()
     if (index >= leaf_count)
         return;
     Quad q = quads[leaves[index]];
-    int size = int(q.size);
+    ivec2 size = unpack_pixel(q.size);
     ivec2 tile = tile_origin(q.component), p = unpack_pixel(q.origin) - tile;
     uint centre = vertex_slot(q.centre), slots[4];
     bool whole = centre != NONE;
@@ -78,9 +79,9 @@ void main()
     uint rim[4 * MOST_STEPS], at[4 * MOST_STEPS];
     uint count = 0u;
     for (int side = 0; side < 4; side++) {
-        ivec2 from = ivec2(side == 1 || side == 2 ? size : 0, side > 1 ? size : 0);
+        ivec2 from = ivec2(side == 1 || side == 2 ? size.x : 0, side > 1 ? size.y : 0);
         ivec2 along = ivec2(side == 0 ? 1 : side == 2 ? -1 : 0, side == 1 ? 1 : side == 3 ? -1 : 0);
-        for (int i = 0; i < size; i += LEAST_SIZE) {
+        for (int i = 0; i < ((side & 1) == 0 ? size.x : size.y); i += STEP) {
             ivec2 r = p + from + i * along;
             ivec2 pixel = tile + r;
             uint slot = slots[side == 2 ? 3 : side == 3 ? 2 : side];

@@ -1,18 +1,18 @@
 // hull.glsl: what the passes of the hull share.
 //
 // The image is cut into tiles of 32 x 32 pixels, each tile into components of pixels that are
-// linked (links.comp, components.comp). A component starts as one quad over its tile; a quad is a
-// fan of triangles around its centre. Every vertex is a pixel of its component, the nearest one to
+// linked (links.comp, components.comp). A component starts as one quad around it; a quad is a of triangles around its centre. Every vertex is a pixel of its component, the nearest one to
 // where the quad wants it, so that quads share vertices and nothing is interpolated that was not
 // lit. Where the four corners do not predict the centre, the quad is split in four (split.comp).
 #ifndef HULL_GLSL
 #define HULL_GLSL
 
 const int TILE = 32;
-const uint MOST_COMPONENTS = 24u; // in a tile; the pixels of more are lit exactly
-const uint SMALL_COMPONENT = 6u;  // as many pixels or fewer are lit exactly
-const uint LEVELS = 4u;           // quads of 32, 16, 8 and 4 pixels
-const int LEAST_SIZE = TILE >> (LEVELS - 1u);
+const uint MOST_COMPONENTS = 32u; // in a tile; the pixels of more are lit exactly
+const uint SMALL_COMPONENT = 1u;  // as many pixels or fewer are lit exactly
+const uint LEVELS = 4u;           // how often quads are split, at most, plus 1
+const int STEP = 4;               // pixels; sides of quads are multiples of it
+const int ONE_VERTEX = 8;         // components no longer than this have one vertex, and its gradient
 const uint NONE = 0xffffffffu;
 
 layout(push_constant) uniform Push
@@ -31,7 +31,7 @@ layout(push_constant) uniform Push
 struct Quad {
     uint component;
     uint origin;   // x + y * 65536: its first pixel
-    uint size;     // pixels a side
+    uint size;     // width + height * 65536
     uint centre;   // pixels, x + y * 65536
     uvec4 corners; // left top, right top, left bottom, right bottom
 };

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // links.comp: which neighbouring pixels lie on one surface, as bits: an invocation walks along one
-// row of a tile. On the way it notes the bounds of the row's two halves for choosing near lights.
+// row of a tile. On the way it notes the bounds of each 8 pixels for choosing near lights.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 
@@ -15,7 +15,7 @@ layout(set = 0, binding = 3, std430) writeonly buffer Links
 };
 layout(set = 0, binding = 4, std430) writeonly buffer RowBounds
 {
-    vec4 row_bounds[]; // half a row: least corner, greatest depth; greatest corner
+    vec4 row_bounds[]; // 8 pixels: least corner, greatest depth; greatest corner
 };
 
 void fetch(ivec2 p, out vec4 position, out vec3 normal)
@@ -52,8 +52,8 @@ void main()
         fetch(p + ivec2(x, 1), below, below_normal);
         if (x > 0 && linked(before, before_normal, here, normal))
             right |= 1u << (x - 1);
-        if (x == TILE / 2 || x == TILE) {
-            uint at = 2u * (2u * row + (x == TILE ? 1u : 0u));
+        if (x > 0 && x % 8 == 0) {
+            uint at = 2u * (row * uint(TILE / 8) + uint(x / 8 - 1));
             row_bounds[at] = low;
             row_bounds[at + 1u] = vec4(high, 0.0);
             low = vec4(3e38, 3e38, 3e38, 0.0);

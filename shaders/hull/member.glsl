@@ -87,10 +87,10 @@ uint claim_vertex(uint component, ivec2 p)
 #endif
 
 // Does the component have a pixel in this part of its tile?
-bool has_members(uint component, ivec2 p, int size)
+bool has_members(uint component, ivec2 p, ivec2 size)
 {
-    uint columns = (0xffffffffu >> (32 - size)) << p.x, any = 0u;
-    for (int y = p.y; y < p.y + size; y++)
+    uint columns = (0xffffffffu >> (32 - size.x)) << p.x, any = 0u;
+    for (int y = p.y; y < p.y + size.y; y++)
         any |= masks[component * uint(TILE) + uint(y)];
     return (any & columns) != 0u;
 }

@@ -2,9 +2,9 @@
 #ifndef NEAR_GLSL
 #define NEAR_GLSL
 
-const int BLOCK = 16;           // pixels a side
-const int SUPER = 4;            // blocks a side of what is culled first
-const uint MOST_NEAR = 48u;     // lights in a block's list; with more the super block's is taken
+const int BLOCK = 8;        // pixels a side
+const int ACROSS = 4;       // blocks along the side of a tile, for which lights are culled first
+const uint MOST_NEAR = 64u; // lights in a block's list; with more the tile's is taken
 
 struct Bounds {
     vec4 low;  // w: greatest view depth, 0: there is no surface

@@ -70,13 +70,17 @@ void main()
     Quad q = quads[index];
     if (q.component == NONE)
         return;
-    int size = int(q.size) / 2;
-    ivec2 p = unpack_pixel(q.origin) - tile_origin(q.component);
+    ivec2 size = unpack_pixel(q.size), p = unpack_pixel(q.origin) - tile_origin(q.component);
+    ivec2 first = (size / 2 + STEP - 1) / STEP * STEP; // of the two parts, across and down
     uint children = 0u, count = 0u, at = 0u;
     if (level + 1u < LEVELS && split_error(q) > split * mean) {
-        for (int i = 0; i < 4; i++)
-            if (has_members(q.component, p + size * ivec2(i & 1, i >> 1), size))
+        for (int i = 0; i < 4; i++) {
+            ivec2 part = ivec2(i & 1, i >> 1), extent = mix(first, size - first, equal(part, ivec2(1)));
+            if (all(greaterThan(extent, ivec2(0)))
+                && has_members(q.component, p + part * first, extent))
                 children |= 1u << i;
+        }
+        children = size == first ? 0u : children; // too small for parts
         count = uint(bitCount(children));
         at = atomicAdd(quad_count[level + 1u], count);
         at += quad_first[level + 1u];
@@ -90,8 +94,9 @@ void main()
         leaves[atomicAdd(leaf_count, 1u)] = index;
     for (int i = 0; i < 4; i++)
         if (bit(children, i)) {
+            ivec2 part = ivec2(i & 1, i >> 1);
             quads[at].component = q.component;
-            quads[at].origin = pack_pixel(unpack_pixel(q.origin) + size * ivec2(i & 1, i >> 1));
-            quads[at++].size = uint(size);
+            quads[at].origin = pack_pixel(unpack_pixel(q.origin) + part * first);
+            quads[at++].size = pack_pixel(mix(first, size - first, equal(part, ivec2(1))));
         }
 }
