@@ -42,8 +42,10 @@ void main()
         return;
     ivec2 p = unpack_pixel(quads[index].origin) - tile_origin(component);
     ivec2 size = unpack_pixel(quads[index].size);
-    bool one = level == 0u && all(lessThanEqual(size, ivec2(ONE_VERTEX)));
-    p += which == 0u || one ? size / 2 : size * ivec2(corner & 1u, corner >> 1);
+    // a component that is short in one direction needs no more than one vertex across
+    bvec2 one = lessThanEqual(size, ivec2(level == 0u ? ONE_VERTEX : 0));
+    ivec2 place = size * ivec2(corner & 1u, corner >> 1);
+    p += mix(place, size / 2, which == 0u ? bvec2(true) : one);
     uint pixel = claim_vertex(component, p);
     if (which == 0u)
         quads[index].centre = pixel;

@@ -12,7 +12,7 @@ const uint MOST_COMPONENTS = 32u; // in a tile; the pixels of more are lit exact
 const uint SMALL_COMPONENT = 1u;  // as many pixels or fewer are lit exactly
 const uint LEVELS = 4u;           // how often quads are split, at most, plus 1
 const int STEP = 4;               // pixels; sides of quads are multiples of it
-const int ONE_VERTEX = 8;         // components no longer than this have one vertex, and its gradient
+const int ONE_VERTEX = 8;         // components no longer than this have one vertex along it
 const uint NONE = 0xffffffffu;
 
 layout(push_constant) uniform Push
