@@ -11,7 +11,7 @@ enum {
     HULL_MOST_COMPONENTS = 32, /* in a tile */
     HULL_BLOCK = 8,
     HULL_MOST_NEAR = 64,
-    HULL_VERTEX_BYTES = 11 * 16,
+    HULL_VERTEX_BYTES = 12 * 16,
     HULL_MEAN_ROWS = 18 /* of 32 samples */
 };
 

@@ -53,8 +53,7 @@ void main()
     // what holds at a bump's own normal says nothing about its neighbours
     n = dot(n, face) > 0.97 ? n : face;
 
-    Vertex v = Vertex(vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0),
-                      vec4(0), vec4(0), vec4(0));
+    Vertex v = vertex_zero();
     vec3 exact = vec3(0.0);
     for (uint first = 0u; first < count; first += 64u) {
         uint mine = first + gl_LocalInvocationIndex;
@@ -86,6 +85,7 @@ void main()
         barrier();
     }
     v.place.xyz = 0.5 * x;
+    v.normal.xyz = n;
     // c: so that the vertex gives its exact irradiance at its own place and normal
     vec3 c = exact - vertex_irradiance(v, x, n);
     v.place.w = c.r;

@@ -12,7 +12,7 @@ layout(set = 0, binding = 5, std430) readonly buffer Masks
 };
 
 layout(location = 0) noperspective in Vertex vertex;
-layout(location = 11) flat in uint component;
+layout(location = 12) flat in uint component;
 
 layout(location = 0) out vec4 light_target;
 

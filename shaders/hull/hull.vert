@@ -14,7 +14,7 @@ layout(set = 0, binding = 2, std430) readonly buffer Vertices
 };
 
 layout(location = 0) noperspective out Vertex vertex;
-layout(location = 11) flat out uint component;
+layout(location = 12) flat out uint component;
 
 void main()
 {

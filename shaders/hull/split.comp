@@ -49,8 +49,7 @@ float split_error(Quad q)
     uvec2 normals = texelFetch(normal_image, pixel, 0).xy;
     vec3 n = unpack_normal(normals.x), face = unpack_normal(normals.y);
     n = dot(n, face) > 0.97 ? n : face;
-    Vertex middle = Vertex(vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0),
-                           vec4(0), vec4(0), vec4(0));
+    Vertex middle = vertex_zero();
     for (int i = 0; i < 4; i++) {
         uint corner = vertex_slot(q.corners[i]);
         if (corner == NONE)

@@ -4,11 +4,13 @@
 // coefficient interpolated between vertices: M and B are the radiance's moments up to order 2; c is
 // what they miss at the vertex's own normal, G the gradient over position there and x_v the place
 // of the vertex. With half of the gradient in c, what is linear and quadratic between the vertices
-// comes out exactly, and the vertices need not lie where the quad wanted them.
+// comes out exactly, and the vertices need not lie where the quad wanted them. c and G fade out for
+// pixels whose normals are far from those of the vertices.
 #ifndef VERTEX_GLSL
 #define VERTEX_GLSL
 
-const uint VERTEX_WORDS = 11u; // vec4
+// cosines between the normals of a pixel and of the vertices: without c and G, and with all of them
+const float NORMAL_FAR = 0.2, NORMAL_NEAR = 0.9;
 
 struct Vertex {
     vec4 red0, green0, blue0; // M: xx, yy, zz, xy
@@ -18,6 +20,7 @@ struct Vertex {
     vec4 gradient0;           // red; c green
     vec4 gradient1;           // green; c blue
     vec4 gradient2;           // blue; w: 0
+    vec4 normal;              // for which c and G hold; w: 0
 };
 
 vec3 vertex_irradiance(Vertex v, vec3 x, vec3 n)
@@ -27,8 +30,15 @@ vec3 vertex_irradiance(Vertex v, vec3 x, vec3 n)
     vec3 moments = vec3(dot(v.red0, s0) + dot(v.red1, s1), dot(v.green0, s0) + dot(v.green1, s1),
                         dot(v.blue0, s0) + dot(v.blue1, s1))
         + v.b.xyz * n.z;
-    return moments + vec3(v.place.w, v.gradient0.w, v.gradient1.w)
+    vec3 local = vec3(v.place.w, v.gradient0.w, v.gradient1.w)
         + vec3(dot(v.gradient0.xyz, d), dot(v.gradient1.xyz, d), dot(v.gradient2.xyz, d));
+    return moments + smoothstep(NORMAL_FAR, NORMAL_NEAR, dot(n, v.normal.xyz)) * local;
+}
+
+Vertex vertex_zero()
+{
+    const vec4 o = vec4(0.0);
+    return Vertex(o, o, o, o, o, o, o, o, o, o, o, o);
 }
 
 void vertex_add(inout Vertex v, float weight, Vertex w)
@@ -44,6 +54,7 @@ void vertex_add(inout Vertex v, float weight, Vertex w)
     v.gradient0 += weight * w.gradient0;
     v.gradient1 += weight * w.gradient1;
     v.gradient2 += weight * w.gradient2;
+    v.normal += weight * w.normal;
 }
 
 #endif
