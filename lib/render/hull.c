@@ -1,98 +1,34 @@
-/* The hull: its buffers, and its passes in their order. */
+/* The hull: its buffers, and its passes in their order; and the same near lights with upsampling in
+ * the place of the hull. */
 #include "hull_private.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 const hull_settings hull_standard = {
-    .link_plane = 0.01F,
-    .link_cosine = 0.8F,
-    .split = 0.05F,
-    .tau = 0.05F,
-    .tau_width = 4,
+    .link_plane = 0.03F,
+    .link_cosine = 0.3F,
+    .split = 0.08F,
+    .tau = 0.2F,
+    .tau_width = 3,
     .near_pixels = 16,
 };
-
-/* ---- What a pass is bound to -------------------------------------------------------------------
- */
-
-/* Resources that are not buffers of the hull. */
-enum { VIEW = HULL_BUFFERS, LIGHTS, COUNTERS, POSITION, NORMAL, LIGHT, END };
-
-typedef struct pass_layout {
-    const char *shader;
-    int resources[12]; /* by binding, up to END */
-} pass_layout;
-
-static const pass_layout layouts[HULL_PASSES] = {
-    [HULL_LINKS] = {"hull/links.comp",
-                    {VIEW, POSITION, NORMAL, HULL_B_LINKS, HULL_B_ROW_BOUNDS, END}},
-    [HULL_COMPONENTS] = {"hull/components.comp",
-                         {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_COMPONENTS,
-                          HULL_B_ARGUMENTS, HULL_B_EXACT, HULL_B_QUADS, END}},
-    [HULL_CLAIM] = {"hull/claim.comp",
-                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
-                     HULL_B_VERTEX_PIXELS, HULL_B_QUADS, END}},
-    [HULL_MEAN_SAMPLES] = {"hull/mean.comp",
-                           {VIEW, LIGHTS, COUNTERS, POSITION, NORMAL, HULL_B_SAMPLES, END}},
-    [HULL_MEAN_SUM] = {"hull/mean_sum.comp", {VIEW, HULL_B_CONTROL, HULL_B_SAMPLES, END}},
-    [HULL_NEXT] = {"hull/next.comp", {VIEW, HULL_B_CONTROL, COUNTERS, END}},
-    [HULL_GATHER] = {"hull/gather.comp",
-                     {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
-                      HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
-    [HULL_SPLIT] = {"hull/split.comp",
-                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
-                     HULL_B_VERTICES, HULL_B_LEAVES, POSITION, NORMAL, END}},
-    [HULL_EMIT] = {"hull/emit.comp",
-                   {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
-                    HULL_B_LEAVES, HULL_B_CORNERS, HULL_B_ARGUMENTS, HULL_B_EXACT, END}},
-    [HULL_CULL_TILE] = {"hull/cull_tile.comp",
-                        {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
-                         HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS, END}},
-    [HULL_CULL] = {"hull/cull.comp",
-                   {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS,
-                    HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
-    [HULL_NEAR] = {"hull/near.comp",
-                   {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
-                    HULL_B_TILE_LISTS, HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
-    [HULL_EXACT] = {"upsample/exact.comp",
-                    {VIEW, LIGHTS, COUNTERS, POSITION, NORMAL, LIGHT, HULL_B_ARGUMENTS,
-                     HULL_B_EXACT, END}},
+const hull_settings hull_far_standard = {
+    .kind = HULL_UPSAMPLE,
+    .tau = 0.2F,
+    .tau_width = 3,
+    .near_pixels = 16,
+    .factor = 10,
+    .plane = 0.5F,
+    .power = 4,
+    .least = 1e-3F,
 };
-
-static int binding_kinds(const pass_layout *layout, gpu_binding *bindings)
-{
-    int count = 0;
-    for (; layout->resources[count] != END; count++)
-        bindings[count] = layout->resources[count] == POSITION || layout->resources[count] == NORMAL
-                              ? GPU_FETCHED
-                          : layout->resources[count] == LIGHT ? GPU_STORAGE_IMAGE
-                                                              : GPU_STORAGE_BUFFER;
-    return count;
-}
-
-static void *resource(const render_frame *frame, const hull *h, int which)
-{
-    switch (which) {
-    case VIEW:
-        return frame->view;
-    case LIGHTS:
-        return frame->lights;
-    case COUNTERS:
-        return frame->counters;
-    case POSITION:
-        return frame->position;
-    case NORMAL:
-        return frame->normal;
-    case LIGHT:
-        return frame->light;
-    default:
-        return h->buffers[which];
-    }
-}
-
-/* ---- Making it ---------------------------------------------------------------------------------
- */
+const hull_settings hull_sh_standard = {
+    .kind = HULL_UPSAMPLE,
+    .factor = 8,
+    .plane = 0.5F,
+    .power = 4,
+    .least = 1e-3F,
+};
 
 void hull_destroy(void *state)
 {
@@ -146,8 +82,17 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
         [HULL_B_TILE_LISTS] = 4 * lists,
         [HULL_B_NEAR_LISTS] = 4 * (HULL_MOST_NEAR + 1) * (size_t)h->blocks,
         [HULL_B_NEAR_BLOCKS] = 4 * (size_t)h->blocks,
+        [HULL_B_FAR_SAMPLES] = HULL_SAMPLE_BYTES * (size_t)h->push.blocks_x * h->push.blocks_y,
+    };
+    static const bool upsamples[HULL_BUFFERS] = {
+        [HULL_B_CONTROL] = true,     [HULL_B_ARGUMENTS] = true,  [HULL_B_EXACT] = true,
+        [HULL_B_ROW_BOUNDS] = true,  [HULL_B_SAMPLES] = true,    [HULL_B_BLOCK_BOUNDS] = true,
+        [HULL_B_TILE_LISTS] = true,  [HULL_B_NEAR_LISTS] = true, [HULL_B_NEAR_BLOCKS] = true,
+        [HULL_B_FAR_SAMPLES] = true,
     };
     for (int i = 0; i < HULL_BUFFERS; i++) {
+        if (h->kind == HULL_UPSAMPLE && !upsamples[i])
+            continue;
         gpu_status status = gpu_buffer_create(frame->device, bytes[i], &h->buffers[i]);
         if (status != GPU_OK)
             return status;
@@ -155,19 +100,27 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
     return GPU_OK;
 }
 
-static gpu_status create_draw(render_frame *frame, hull *h)
+static gpu_status create_passes(render_frame *frame, hull *h)
 {
-    gpu_draw_options options = {
-        .name = "hull",
-        .vertex = render_shader("hull/hull.vert"),
-        .fragment = render_shader("hull/hull.frag"),
-        .binding_count = 6,
-        .bindings = {GPU_STORAGE_BUFFER, GPU_STORAGE_BUFFER, GPU_STORAGE_BUFFER, GPU_FETCHED,
-                     GPU_FETCHED, GPU_STORAGE_BUFFER},
-        .target_count = 1,
-        .targets = {GPU_RGBA32F},
-    };
-    return gpu_draw_create(frame->device, &options, &h->draw);
+    static const hull_pass shared[] = {HULL_MEAN_SAMPLES, HULL_MEAN_SUM, HULL_NEXT, HULL_CULL_TILE,
+                                       HULL_CULL,         HULL_NEAR,     HULL_EXACT};
+    static const hull_pass moments[] = {HULL_LINKS,  HULL_COMPONENTS, HULL_CLAIM,
+                                        HULL_GATHER, HULL_SPLIT,      HULL_EMIT};
+    static const hull_pass lobes[] = {HULL_LINKS,        HULL_COMPONENTS,  HULL_CLAIM,
+                                      HULL_GATHER_LOBES, HULL_SPLIT_LOBES, HULL_EMIT};
+    static const hull_pass upsample[] = {HULL_BOUNDS, HULL_GATHER_FAR, HULL_UPSAMPLE_FAR};
+    const hull_pass *own = h->kind == HULL_UPSAMPLE ? upsample
+                           : h->kind == HULL_LOBES  ? lobes
+                                                    : moments;
+    int own_count = h->kind == HULL_UPSAMPLE ? 3 : 6;
+    gpu_status status = GPU_OK;
+    for (int i = 0; status == GPU_OK && i < 7; i++)
+        status = hull_create_pass(frame, h, shared[i]);
+    for (int i = 0; status == GPU_OK && i < own_count; i++)
+        status = hull_create_pass(frame, h, own[i]);
+    if (status == GPU_OK && h->kind != HULL_UPSAMPLE)
+        status = hull_create_draw(frame, h);
+    return status;
 }
 
 gpu_status hull_create(render_frame *frame, const hull_settings *settings, void **state)
@@ -180,6 +133,7 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
     uint32_t y = (frame->height + HULL_TILE - 1) / HULL_TILE;
     h->tiles = x * y;
     h->blocks = 16 * h->tiles;
+    h->kind = settings->kind;
     h->push = (hull_push){.tiles_x = x,
                           .tiles_y = y,
                           .link_plane = settings->link_plane,
@@ -187,18 +141,18 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
                           .split = settings->split,
                           .tau = settings->tau,
                           .tau_width = settings->tau_width,
-                          .near_pixels = settings->near_pixels};
-    gpu_status status = create_buffers(frame, h);
-    for (int i = 0; status == GPU_OK && i < HULL_PASSES; i++) {
-        gpu_binding bindings[GPU_MAX_BINDINGS];
-        int count = binding_kinds(&layouts[i], bindings);
-        status = render_compute(
-            frame, layouts[i].shader, false, bindings, count,
-            i == HULL_EXACT || i == HULL_MEAN_SAMPLES || i == HULL_MEAN_SUM ? 0 : sizeof(hull_push),
-            &h->passes[i]);
+                          .near_pixels = settings->near_pixels,
+                          .plane = settings->plane,
+                          .power = settings->power,
+                          .least = settings->least};
+    if (h->kind == HULL_UPSAMPLE) {
+        h->push.factor = settings->factor;
+        h->push.blocks_x = (frame->width + settings->factor - 1) / settings->factor;
+        h->push.blocks_y = (frame->height + settings->factor - 1) / settings->factor;
     }
+    gpu_status status = create_buffers(frame, h);
     if (status == GPU_OK)
-        status = create_draw(frame, h);
+        status = create_passes(frame, h);
     if (status == GPU_OK)
         *state = h;
     else
@@ -206,100 +160,97 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
     return status;
 }
 
-/* ---- Running it --------------------------------------------------------------------------------
- */
-
-typedef struct list {
-    const render_frame *frame;
-    const hull *h;
-    hull_push pushes[HULL_LEVELS + 1];
-    gpu_step steps[48];
-    int count;
-} list;
-
-static gpu_step *add(list *l, const char *name, hull_pass pass, int level)
+static void add_near_lists(hull_list *l)
 {
-    gpu_step *step = &l->steps[l->count++];
-    *step = (gpu_step){.name = name, .compute = l->h->passes[pass], .push = &l->pushes[level]};
-    for (int i = 0; layouts[pass].resources[i] != END; i++)
-        step->resources[i] = resource(l->frame, l->h, layouts[pass].resources[i]);
-    return step;
+    hull_add_groups(l, "mean", HULL_MEAN_SAMPLES, HULL_MEAN_ROWS);
+    hull_add_groups(l, "mean", HULL_MEAN_SUM, 1);
+    hull_add_groups(l, "cull", HULL_CULL_TILE, (l->h->tiles + 7) / 8);
+    hull_add_groups(l, "cull", HULL_CULL, (l->h->blocks + 63) / 64);
 }
 
-static void add_groups(list *l, const char *name, hull_pass pass, uint32_t groups)
-{
-    add(l, name, pass, 0)->groups[0] = groups;
-}
-
-static void add_indirect(list *l, const char *name, hull_pass pass, int level, int word)
-{
-    gpu_step *step = add(l, name, pass, level);
-    step->indirect = l->h->buffers[pass == HULL_EXACT ? HULL_B_ARGUMENTS : HULL_B_CONTROL];
-    step->indirect_offset = 4 * (size_t)word;
-}
-
-static void add_fill(list *l, const char *name, hull_buffer buffer, uint32_t bits)
-{
-    l->steps[l->count++] =
-        (gpu_step){.name = name, .fill = l->h->buffers[buffer], .clear_bits = {bits}};
-}
-
-static void add_draw(list *l)
+/* The far light by the hull. */
+static void add_hull(hull_list *l)
 {
     const hull *h = l->h;
-    const render_frame *f = l->frame;
-    l->steps[l->count++] = (gpu_step){
-        .name = "integrate",
-        .draw = h->draw,
-        .resources = {f->view, h->buffers[HULL_B_CORNERS], h->buffers[HULL_B_VERTICES], f->position,
-                      f->normal, h->buffers[HULL_B_MASKS]},
-        .indirect = h->buffers[HULL_B_CONTROL],
-        .indirect_offset = 4 * HULL_DRAW,
-        .targets = {f->light},
-    };
+    bool lobes = h->kind == HULL_LOBES;
+    hull_add_fill(l, "reset", HULL_B_MAP, 0);
+    hull_add_groups(l, "links", HULL_LINKS, (h->tiles * HULL_TILE + 63) / 64);
+    hull_add_groups(l, "components", HULL_COMPONENTS, (h->tiles + 7) / 8);
+    add_near_lists(l);
+    for (int level = 0; level < HULL_LEVELS; level++) {
+        hull_add(l, "next", HULL_NEXT, level);
+        hull_add_indirect(l, "claim", HULL_CLAIM, level, HULL_CLAIM_GROUPS);
+        hull_add(l, "next", HULL_NEXT, level);
+        hull_add_indirect(l, "gather", lobes ? HULL_GATHER_LOBES : HULL_GATHER, level,
+                          HULL_GATHER_GROUPS);
+        hull_add_indirect(l, "split", lobes ? HULL_SPLIT_LOBES : HULL_SPLIT, level,
+                          HULL_SPLIT_GROUPS);
+    }
+    hull_add(l, "next", HULL_NEXT, HULL_LEVELS);
+    hull_add_indirect(l, "emit", HULL_EMIT, 0, HULL_LEAF_GROUPS);
+    hull_add_draw(l);
+}
+
+/* The light, or the far light, by upsampling. */
+static void add_upsampling(hull_list *l)
+{
+    const hull *h = l->h;
+    if (h->push.tau > 0) {
+        hull_add_groups(l, "bounds", HULL_BOUNDS, (4 * HULL_TILE * h->tiles + 63) / 64);
+        add_near_lists(l);
+        hull_add(l, "next", HULL_NEXT, HULL_LEVELS);
+    }
+    hull_add_groups(l, "gather", HULL_GATHER_FAR, (h->push.blocks_x * h->push.blocks_y + 63) / 64);
+    gpu_step *step = hull_add(l, "upsample", HULL_UPSAMPLE_FAR, 0);
+    step->groups[0] = (l->frame->width + 63) / 64;
+    step->groups[1] = h->push.blocks_y + 1;
 }
 
 gpu_status hull_run(render_frame *frame, void *state, render_statistics *statistics)
 {
     const hull *h = state;
-    list l = {.frame = frame, .h = h};
+    hull_list l = {.frame = frame, .h = h};
     for (uint32_t i = 0; i <= HULL_LEVELS; i++) {
         l.pushes[i] = h->push;
         l.pushes[i].level = i;
     }
-    add_fill(&l, "reset", HULL_B_CONTROL, 0);
-    add_fill(&l, "reset", HULL_B_ARGUMENTS, 1);
-    add_fill(&l, "reset", HULL_B_MAP, 0);
-    add_groups(&l, "links", HULL_LINKS, (h->tiles * HULL_TILE + 63) / 64);
-    add_groups(&l, "components", HULL_COMPONENTS, (h->tiles + 7) / 8);
-    add_groups(&l, "mean", HULL_MEAN_SAMPLES, HULL_MEAN_ROWS);
-    add_groups(&l, "mean", HULL_MEAN_SUM, 1);
-    for (int level = 0; level < HULL_LEVELS; level++) {
-        add(&l, "next", HULL_NEXT, level);
-        add_indirect(&l, "claim", HULL_CLAIM, level, HULL_CLAIM_GROUPS);
-        add(&l, "next", HULL_NEXT, level);
-        add_indirect(&l, "gather", HULL_GATHER, level, HULL_GATHER_GROUPS);
-        add_indirect(&l, "split", HULL_SPLIT, level, HULL_SPLIT_GROUPS);
-    }
-    add_groups(&l, "cull", HULL_CULL_TILE, (h->tiles + 7) / 8);
-    add_groups(&l, "cull", HULL_CULL, (h->blocks + 63) / 64);
-    add(&l, "next", HULL_NEXT, HULL_LEVELS);
-    add_indirect(&l, "emit", HULL_EMIT, 0, HULL_LEAF_GROUPS);
-    add_draw(&l);
-    add_indirect(&l, "near", HULL_NEAR, 0, HULL_NEAR_GROUPS);
-    add_indirect(&l, "exact", HULL_EXACT, 0, 0);
+    hull_add_fill(&l, "reset", HULL_B_CONTROL, 0);
+    hull_add_fill(&l, "reset", HULL_B_ARGUMENTS, 1);
+    if (h->kind == HULL_UPSAMPLE)
+        add_upsampling(&l);
+    else
+        add_hull(&l);
+    if (h->push.tau > 0)
+        hull_add_indirect(&l, "near", HULL_NEAR, 0, HULL_NEAR_GROUPS);
+    hull_add_indirect(&l, "exact", HULL_EXACT, 0, 0);
     return render_run(frame, l.steps, l.count, statistics);
 }
 
-static gpu_status create_standard(render_frame *frame, void **state)
-{
-    return hull_create(frame, &hull_standard, state);
-}
+#define HULL(NAME, ID, TITLE, BASE, ...)                                                           \
+    static gpu_status create_##NAME(render_frame *frame, void **state)                             \
+    {                                                                                              \
+        hull_settings settings = BASE;                                                             \
+        __VA_ARGS__;                                                                               \
+        return hull_create(frame, &settings, state);                                               \
+    }                                                                                              \
+    const render_pipeline NAME##_pipeline = {                                                      \
+        .id = ID,                                                                                  \
+        .title = TITLE,                                                                            \
+        .create = create_##NAME,                                                                   \
+        .run = hull_run,                                                                           \
+        .destroy = hull_destroy,                                                                   \
+    };
 
-const render_pipeline hull_pipeline = {
-    .id = "hull",
-    .title = "a hull of vertices for the far light, near lights at every pixel",
-    .create = create_standard,
-    .run = hull_run,
-    .destroy = hull_destroy,
-};
+HULL(hull, "hull", "a hull of vertices for the far light, near lights at every pixel",
+     hull_standard, settings.kind = HULL_MOMENTS)
+HULL(hull_lobe, "hull_lobe", "the same with one lobe a colour at each vertex", hull_standard,
+     settings.kind = HULL_LOBES)
+HULL(upsample_sh4, "upsample_sh4",
+     "quarter resolution, joint bilateral upsampling of light by moments up to order 2",
+     hull_sh_standard, settings.factor = 4)
+HULL(upsample_sh8, "upsample_sh8",
+     "an eighth of the resolution, joint bilateral upsampling of light by moments up to order 2",
+     hull_sh_standard, settings.factor = 8)
+HULL(upsample_far, "upsample_far",
+     "near lights at every pixel, joint bilateral upsampling of the far light by moments",
+     hull_far_standard, settings.kind = HULL_UPSAMPLE)

@@ -8,25 +8,37 @@
 enum {
     HULL_TILE = 32,
     HULL_LEVELS = 4,
-    HULL_MOST_COMPONENTS = 32, /* in a tile */
+    HULL_MOST_COMPONENTS = 64, /* in a tile */
     HULL_BLOCK = 8,
     HULL_MOST_NEAR = 64,
     HULL_VERTEX_BYTES = 12 * 16,
+    HULL_SAMPLE_BYTES = 10 * 16,
     HULL_MEAN_ROWS = 18 /* of 32 samples */
 };
 
+/* How the far light is brought to the pixels. */
+typedef enum hull_kind {
+    HULL_MOMENTS, /* by the hull, vertices that keep moments of the radiance */
+    HULL_LOBES,   /* by the hull, vertices that keep a lobe a colour */
+    HULL_UPSAMPLE /* by joint bilateral upsampling of a sample a block */
+} hull_kind;
+
 typedef struct hull_settings {
+    hull_kind kind;
     float link_plane, link_cosine;     /* see links.comp */
-    float split;                       /* see split.comp */
-    float tau, tau_width, near_pixels; /* see window.glsl */
+    float split;                       /* see split.glsl */
+    float tau, tau_width, near_pixels; /* see window.glsl; tau 0: there are no near lights */
+    uint32_t factor;                   /* with HULL_UPSAMPLE: pixels along a block */
+    float plane, power, least;         /* of upsampling, see shaders/upsample/sample.glsl */
 } hull_settings;
 
-extern const hull_settings hull_standard;
+extern const hull_settings hull_standard, hull_far_standard, hull_sh_standard;
 
 gpu_status hull_create(render_frame *frame, const hull_settings *settings, void **state);
 gpu_status hull_run(render_frame *frame, void *state, render_statistics *statistics);
 void hull_destroy(void *state);
 
-extern const render_pipeline hull_pipeline;
+extern const render_pipeline hull_pipeline, hull_lobe_pipeline;
+extern const render_pipeline upsample_sh4_pipeline, upsample_sh8_pipeline, upsample_far_pipeline;
 
 #endif

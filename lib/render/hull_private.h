@@ -9,6 +9,8 @@ typedef struct hull_push {
     uint32_t tiles_x, tiles_y, level, vertex_capacity;
     uint32_t quad_first[HULL_LEVELS + 1];
     float link_plane, link_cosine, split, tau, tau_width, near_pixels;
+    uint32_t factor, blocks_x, blocks_y;
+    float plane, power, least;
 } hull_push;
 
 /* Words of Control in shaders/hull/control.glsl. */
@@ -43,6 +45,11 @@ typedef enum hull_pass {
     HULL_CULL,
     HULL_NEAR,
     HULL_EXACT,
+    HULL_GATHER_LOBES,
+    HULL_SPLIT_LOBES,
+    HULL_BOUNDS,
+    HULL_GATHER_FAR,
+    HULL_UPSAMPLE_FAR,
     HULL_PASSES
 } hull_pass;
 
@@ -65,15 +72,36 @@ typedef enum hull_buffer {
     HULL_B_TILE_LISTS,
     HULL_B_NEAR_LISTS,
     HULL_B_NEAR_BLOCKS,
+    HULL_B_FAR_SAMPLES,
     HULL_BUFFERS
 } hull_buffer;
 
 typedef struct hull {
+    hull_kind kind;
     hull_push push;
     uint32_t tiles, blocks;
     gpu_compute *passes[HULL_PASSES];
     gpu_draw *draw;
     gpu_buffer *buffers[HULL_BUFFERS];
 } hull;
+
+/* A list of steps in the making. */
+typedef struct hull_list {
+    const render_frame *frame;
+    const hull *h;
+    hull_push pushes[HULL_LEVELS + 1]; /* by level */
+    gpu_step steps[48];
+    int count;
+} hull_list;
+
+/* hull_passes.c */
+gpu_status hull_create_pass(render_frame *frame, hull *h, hull_pass pass);
+gpu_status hull_create_draw(render_frame *frame, hull *h);
+gpu_step *hull_add(hull_list *l, const char *name, hull_pass pass, int level);
+void hull_add_groups(hull_list *l, const char *name, hull_pass pass, uint32_t groups);
+/* with as many groups as this word of Control, or for the exact pass of Arguments, says */
+void hull_add_indirect(hull_list *l, const char *name, hull_pass pass, int level, int word);
+void hull_add_fill(hull_list *l, const char *name, hull_buffer buffer, uint32_t bits);
+void hull_add_draw(hull_list *l);
 
 #endif

@@ -15,9 +15,13 @@ const render_pipeline *const render_pipelines[] = {
     &meder_pipeline,
     /* from few points */
     &hull_pipeline,
+    &hull_lobe_pipeline,
     &upsample2_pipeline,
     &upsample4_pipeline,
     &upsample8_pipeline,
+    &upsample_sh4_pipeline,
+    &upsample_sh8_pipeline,
+    &upsample_far_pipeline,
     /* with shadows */
     &shadows_pipeline,
     &shadows2_pipeline,

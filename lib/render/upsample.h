@@ -8,7 +8,6 @@
 typedef struct upsample_settings {
     uint32_t factor, blocks_x, blocks_y; /* the blocks follow from the frame */
     float plane, power, least;
-    float near_tau, near_pixels;
 } upsample_settings;
 
 gpu_status upsample_create(render_frame *frame, const upsample_settings *settings, void **state);

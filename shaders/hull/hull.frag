@@ -1,27 +1,4 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// hull.frag: the far light at the pixels that the quad's component owns.
-#include "../common/frame.glsl"
-#include "vertex.glsl"
-
-layout(set = 0, binding = 3) uniform sampler2D position_image;
-layout(set = 0, binding = 4) uniform usampler2D normal_image;
-layout(set = 0, binding = 5, std430) readonly buffer Masks
-{
-    uint masks[];
-};
-
-layout(location = 0) noperspective in Vertex vertex;
-layout(location = 12) flat in uint component;
-
-layout(location = 0) out vec4 light_target;
-
-void main()
-{
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
-    if ((masks[component * 32u + (pixel.y & 31u)] >> (pixel.x & 31u) & 1u) == 0u)
-        discard;
-    vec3 x = texelFetch(position_image, ivec2(pixel), 0).xyz;
-    vec3 n = unpack_normal(texelFetch(normal_image, ivec2(pixel), 0).x);
-    light_target = vec4(max(vertex_irradiance(vertex, x, n), 0.0), 1.0);
-}
+// hull.frag: see hull_frag.glsl.
+#include "hull_frag.glsl"

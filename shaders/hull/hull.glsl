@@ -8,7 +8,7 @@
 #define HULL_GLSL
 
 const int TILE = 32;
-const uint MOST_COMPONENTS = 32u; // in a tile; the pixels of more are lit exactly
+const uint MOST_COMPONENTS = 64u; // in a tile; the pixels of more are lit exactly
 const uint SMALL_COMPONENT = 1u;  // as many pixels or fewer are lit exactly
 const uint LEVELS = 4u;           // how often quads are split, at most, plus 1
 const int STEP = 4;               // pixels; sides of quads are multiples of it
@@ -26,6 +26,9 @@ layout(push_constant) uniform Push
     float split;          // error at the centre, over the mean irradiance, that splits a quad
     float tau, tau_width; // see window.glsl
     float near_pixels;
+    // the same split with upsampling, see upsample/far.glsl
+    uint factor, blocks_x, blocks_y;
+    float plane, power, least;
 };
 
 struct Quad {

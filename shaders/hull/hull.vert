@@ -1,26 +1,4 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// hull.vert: a corner of a triangle of the hull, on the grid of pixels, with its vertex.
-#include "../common/frame.glsl"
-#include "vertex.glsl"
-
-layout(set = 0, binding = 1, std430) readonly buffer Corners
-{
-    uvec4 corners[];
-};
-layout(set = 0, binding = 2, std430) readonly buffer Vertices
-{
-    Vertex vertices[];
-};
-
-layout(location = 0) noperspective out Vertex vertex;
-layout(location = 12) flat out uint component;
-
-void main()
-{
-    uvec4 corner = corners[gl_VertexIndex];
-    vec2 pixel = vec2(corner.y & 0xffffu, corner.y >> 16) + 0.5;
-    vertex = vertices[corner.x];
-    component = corner.z;
-    gl_Position = vec4(2.0 * pixel / vec2(view.size.xy) - 1.0, 0.0, 1.0);
-}
+// hull.vert: see hull_vert.glsl.
+#include "hull_vert.glsl"

@@ -10,6 +10,8 @@ struct Moments {
     vec3 products;     // of w_x w_y, w_x w_z, w_y w_z
 };
 
+#ifdef FORM_FACTOR_GLSL
+
 // One edge's share of the first and second moment; g: cross product of its ends on the unit sphere.
 void edge_moments(vec3 v0, vec3 v1, inout Moments m)
 {
@@ -51,5 +53,7 @@ vec3 form_factor_gradient(Light l, vec3 x, vec3 n)
     }
     return sum * (l.plane.w / (3.0 * PI));
 }
+
+#endif
 
 #endif

@@ -12,6 +12,8 @@
 // cosines between the normals of a pixel and of the vertices: without c and G, and with all of them
 const float NORMAL_FAR = 0.2, NORMAL_NEAR = 0.9;
 
+const int VERTEX_VECTORS = 12;
+
 struct Vertex {
     vec4 red0, green0, blue0; // M: xx, yy, zz, xy
     vec4 red1, green1, blue1; // M: xz, yz; B: x, y
@@ -39,6 +41,25 @@ Vertex vertex_zero()
 {
     const vec4 o = vec4(0.0);
     return Vertex(o, o, o, o, o, o, o, o, o, o, o, o);
+}
+
+// Takes in the share far of a light of exitance e.
+void vertex_take(inout Vertex v, vec3 e, float far, Moments m)
+{
+    vec3 s = far / PI * (15.0 / 32.0 * m.squares + 3.0 / 32.0 * m.solid_angle);
+    vec3 p = far / PI * 15.0 / 32.0 * m.products, b = far * 0.5 / PI * m.first;
+    vec4 m0 = vec4(s, p.x), m1 = vec4(p.yz, b.xy);
+    v.red0 += e.r * m0;
+    v.green0 += e.g * m0;
+    v.blue0 += e.b * m0;
+    v.red1 += e.r * m1;
+    v.green1 += e.g * m1;
+    v.blue1 += e.b * m1;
+    v.b.xyz += e * b.z;
+}
+
+void vertex_finish(inout Vertex v)
+{
 }
 
 void vertex_add(inout Vertex v, float weight, Vertex w)

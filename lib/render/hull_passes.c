@@ -1,0 +1,169 @@
+/* The passes of the hull: what each is bound to, and lists of them. */
+#include "hull_private.h"
+
+#include <stdlib.h>
+
+/* Resources that are not buffers of the hull. */
+enum { VIEW = HULL_BUFFERS, LIGHTS, COUNTERS, POSITION, NORMAL, LIGHT, END };
+
+typedef struct pass_layout {
+    const char *shader;
+    int resources[12]; /* by binding, up to END */
+} pass_layout;
+
+static const pass_layout layouts[HULL_PASSES] = {
+    [HULL_LINKS] = {"hull/links.comp",
+                    {VIEW, POSITION, NORMAL, HULL_B_LINKS, HULL_B_ROW_BOUNDS, END}},
+    [HULL_COMPONENTS] = {"hull/components.comp",
+                         {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_COMPONENTS,
+                          HULL_B_ARGUMENTS, HULL_B_EXACT, HULL_B_QUADS, END}},
+    [HULL_CLAIM] = {"hull/claim.comp",
+                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
+                     HULL_B_VERTEX_PIXELS, HULL_B_QUADS, END}},
+    [HULL_MEAN_SAMPLES] = {"hull/mean.comp",
+                           {VIEW, LIGHTS, COUNTERS, POSITION, NORMAL, HULL_B_SAMPLES, END}},
+    [HULL_MEAN_SUM] = {"hull/mean_sum.comp", {VIEW, HULL_B_CONTROL, HULL_B_SAMPLES, END}},
+    [HULL_NEXT] = {"hull/next.comp", {VIEW, HULL_B_CONTROL, COUNTERS, END}},
+    [HULL_GATHER] = {"hull/gather.comp",
+                     {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                      HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
+    [HULL_SPLIT] = {"hull/split.comp",
+                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
+                     HULL_B_VERTICES, HULL_B_LEAVES, POSITION, NORMAL, END}},
+    [HULL_EMIT] = {"hull/emit.comp",
+                   {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
+                    HULL_B_LEAVES, HULL_B_CORNERS, HULL_B_ARGUMENTS, HULL_B_EXACT, END}},
+    [HULL_CULL_TILE] = {"hull/cull_tile.comp",
+                        {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
+                         HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS, END}},
+    [HULL_CULL] = {"hull/cull.comp",
+                   {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS,
+                    HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
+    [HULL_NEAR] = {"hull/near.comp",
+                   {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
+                    HULL_B_TILE_LISTS, HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
+    [HULL_GATHER_LOBES] = {"hull/gather_lobe.comp",
+                           {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                            HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
+    [HULL_SPLIT_LOBES] = {"hull/split_lobe.comp",
+                          {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
+                           HULL_B_QUADS, HULL_B_VERTICES, HULL_B_LEAVES, POSITION, NORMAL, END}},
+    [HULL_BOUNDS] = {"upsample/bounds.comp", {VIEW, POSITION, HULL_B_ROW_BOUNDS, END}},
+    [HULL_GATHER_FAR] = {"upsample/gather_far.comp",
+                         {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                          HULL_B_FAR_SAMPLES, END}},
+    [HULL_UPSAMPLE_FAR] = {"upsample/upsample_far.comp",
+                           {VIEW, POSITION, NORMAL, LIGHT, HULL_B_FAR_SAMPLES, HULL_B_ARGUMENTS,
+                            HULL_B_EXACT, END}},
+    [HULL_EXACT] = {"upsample/exact.comp",
+                    {VIEW, LIGHTS, COUNTERS, POSITION, NORMAL, LIGHT, HULL_B_ARGUMENTS,
+                     HULL_B_EXACT, END}},
+};
+
+static int binding_kinds(const pass_layout *layout, gpu_binding *bindings)
+{
+    int count = 0;
+    for (; layout->resources[count] != END; count++)
+        bindings[count] = layout->resources[count] == POSITION || layout->resources[count] == NORMAL
+                              ? GPU_FETCHED
+                          : layout->resources[count] == LIGHT ? GPU_STORAGE_IMAGE
+                                                              : GPU_STORAGE_BUFFER;
+    return count;
+}
+
+static void *resource(const render_frame *frame, const hull *h, int which)
+{
+    switch (which) {
+    case VIEW:
+        return frame->view;
+    case LIGHTS:
+        return frame->lights;
+    case COUNTERS:
+        return frame->counters;
+    case POSITION:
+        return frame->position;
+    case NORMAL:
+        return frame->normal;
+    case LIGHT:
+        return frame->light;
+    default:
+        return h->buffers[which];
+    }
+}
+
+gpu_status hull_create_pass(render_frame *frame, hull *h, hull_pass pass)
+{
+    gpu_binding bindings[GPU_MAX_BINDINGS];
+    int count = binding_kinds(&layouts[pass], bindings);
+    bool none = pass == HULL_EXACT || pass == HULL_MEAN_SAMPLES || pass == HULL_MEAN_SUM;
+    bool method = pass == HULL_GATHER_LOBES || pass == HULL_SPLIT_LOBES;
+    return render_compute(frame, layouts[pass].shader, method, bindings, count,
+                          none ? 0 : sizeof(hull_push), &h->passes[pass]);
+}
+
+gpu_status hull_create_draw(render_frame *frame, hull *h)
+{
+    bool lobes = h->kind == HULL_LOBES;
+    gpu_draw_options options = {
+        .name = "hull",
+        .vertex = render_shader(lobes ? "hull/hull_lobe.vert" : "hull/hull.vert"),
+        .fragment = render_shader("hull/hull.frag"),
+        .binding_count = 6,
+        .bindings = {GPU_STORAGE_BUFFER, GPU_STORAGE_BUFFER, GPU_STORAGE_BUFFER, GPU_FETCHED,
+                     GPU_FETCHED, GPU_STORAGE_BUFFER},
+        .target_count = 1,
+        .targets = {GPU_RGBA32F},
+    };
+    if (lobes) {
+        gpu_status status =
+            render_shader_method("hull/hull_lobe.frag", frame->options.method, &options.fragment);
+        if (status != GPU_OK)
+            return status;
+    }
+    gpu_status status = gpu_draw_create(frame->device, &options, &h->draw);
+    if (lobes)
+        free((char *)options.fragment.source);
+    return status;
+}
+
+gpu_step *hull_add(hull_list *l, const char *name, hull_pass pass, int level)
+{
+    gpu_step *step = &l->steps[l->count++];
+    *step = (gpu_step){.name = name, .compute = l->h->passes[pass], .push = &l->pushes[level]};
+    for (int i = 0; layouts[pass].resources[i] != END; i++)
+        step->resources[i] = resource(l->frame, l->h, layouts[pass].resources[i]);
+    return step;
+}
+
+void hull_add_groups(hull_list *l, const char *name, hull_pass pass, uint32_t groups)
+{
+    hull_add(l, name, pass, 0)->groups[0] = groups;
+}
+
+void hull_add_indirect(hull_list *l, const char *name, hull_pass pass, int level, int word)
+{
+    gpu_step *step = hull_add(l, name, pass, level);
+    step->indirect = l->h->buffers[pass == HULL_EXACT ? HULL_B_ARGUMENTS : HULL_B_CONTROL];
+    step->indirect_offset = 4 * (size_t)word;
+}
+
+void hull_add_fill(hull_list *l, const char *name, hull_buffer buffer, uint32_t bits)
+{
+    l->steps[l->count++] =
+        (gpu_step){.name = name, .fill = l->h->buffers[buffer], .clear_bits = {bits}};
+}
+
+void hull_add_draw(hull_list *l)
+{
+    const hull *h = l->h;
+    const render_frame *f = l->frame;
+    l->steps[l->count++] = (gpu_step){
+        .name = "integrate",
+        .draw = h->draw,
+        .resources = {f->view, h->buffers[HULL_B_CORNERS], h->buffers[HULL_B_VERTICES], f->position,
+                      f->normal, h->buffers[HULL_B_MASKS]},
+        .indirect = h->buffers[HULL_B_CONTROL],
+        .indirect_offset = 4 * HULL_DRAW,
+        .targets = {f->light},
+    };
+}
