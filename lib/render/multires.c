@@ -58,7 +58,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
         multires_step(frame, &s->m, "single-pass upsampling", s->upsample, 0, frame->light);
     steps[count].groups[0] = (frame->width + 15) / 16;
     steps[count++].groups[1] = (frame->height + 7) / 8;
-    return render_run(frame, steps, count, statistics);
+    return shadows_run(frame, steps, count, statistics);
 }
 
 #define MULTIRES(NAME, ID, POINTS, TITLE)                                                          \

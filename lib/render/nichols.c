@@ -85,7 +85,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
     }
     for (int l = RENDER_LEVELS - 1; l >= 0; l--)
         steps[count++] = level_step(frame, s, up[l], s->upsample, l, 16, 8, frame->light);
-    return render_run(frame, steps, count, statistics);
+    return shadows_run(frame, steps, count, statistics);
 }
 
 const render_pipeline nichols_pipeline = {

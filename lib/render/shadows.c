@@ -137,6 +137,20 @@ void shadows_bind(const render_frame *frame, const shadows *s, gpu_step *step)
     memcpy(step->resources, resources, sizeof resources);
 }
 
+gpu_status shadows_run(render_frame *frame, const gpu_step *steps, int count,
+                       render_statistics *statistics)
+{
+    enum { GAVE_UP = 13 }; /* of counters.glsl */
+    gpu_status status = render_run(frame, steps, count, statistics);
+    const uint32_t *halves = gpu_buffer_map(frame->counters);
+    if (status == GPU_OK && (halves[2 * GAVE_UP] || halves[2 * GAVE_UP + 1]))
+        return gpu_fail(GPU_FAILED,
+                        "shadows: this device ends loops before all rays to %zu area "
+                        "lights are traced",
+                        frame->scene->area_light_count);
+    return status;
+}
+
 /* ---- Ground truth -------------------------------------------------------------------- */
 
 typedef struct reference {
@@ -160,8 +174,7 @@ static gpu_status create(render_frame *frame, void **state)
     *r = (reference){0};
     gpu_status status = shadows_create(frame, &r->shadows);
     if (status == GPU_OK)
-        status =
-            shadows_compute(frame, "shadows/shadows.comp", own, 1, sizeof(uint32_t), &r->compute);
+        status = shadows_compute(frame, "shadows/shadows.comp", own, 1, 12, &r->compute);
     if (status == GPU_OK)
         *state = r;
     else
@@ -169,32 +182,40 @@ static gpu_status create(render_frame *frame, void **state)
     return status;
 }
 
+/* Push constants of shadows.comp. */
+typedef struct strip_push {
+    uint32_t first_row, first_light, last_light;
+} strip_push;
+
+/* In strips of rows, of the order of a second on a software device, and a few lights at a time, so
+ * that no driver ends the loop over them. */
 static gpu_status run(render_frame *frame, void *state, render_statistics *statistics)
 {
-    enum { WIDTH = 16, HEIGHT = 8 };
-    /* of the order of a second on a software device */
+    enum { LIGHTS = 16 };
     static const double strip_rays = 2e6;
     const reference *r = state;
-    double rays = (double)frame->width * HEIGHT * SHADOWS_POINTS * r->shadows.light_count;
-    uint32_t all = (frame->height + HEIGHT - 1) / HEIGHT;
-    uint32_t strip = (uint32_t)fmin(fmax(strip_rays / fmax(rays, 1), 1), all);
-    uint32_t count = (all + strip - 1) / strip;
+    uint32_t lights = r->shadows.light_count;
+    uint32_t parts = lights > LIGHTS ? (lights + LIGHTS - 1) / LIGHTS : 1;
+    double row_rays = (double)frame->width * SHADOWS_POINTS * fmin(fmax(lights, 1), LIGHTS);
+    uint32_t strip = (uint32_t)fmin(fmax(strip_rays / row_rays, 1), frame->height);
+    uint32_t strips = (frame->height + strip - 1) / strip;
+    size_t count = (size_t)strips * parts;
     gpu_step *steps = base_allocate(count * sizeof *steps);
-    uint32_t *first_rows = base_allocate(count * sizeof *first_rows);
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t left = all - i * strip;
-        first_rows[i] = i * strip * HEIGHT;
-        steps[i] = (gpu_step){
-            .name = "shadows",
-            .compute = r->compute,
-            .push = &first_rows[i],
-            .groups = {(frame->width + WIDTH - 1) / WIDTH, left < strip ? left : strip, 1}};
+    strip_push *push = base_allocate(count * sizeof *push);
+    for (size_t i = 0; i < count; i++) {
+        uint32_t row = (uint32_t)(i / parts) * strip, light = (uint32_t)(i % parts) * LIGHTS;
+        uint32_t rows = frame->height - row < strip ? frame->height - row : strip;
+        push[i] = (strip_push){row, light, lights - light < LIGHTS ? lights : light + LIGHTS};
+        steps[i] = (gpu_step){.name = "shadows",
+                              .compute = r->compute,
+                              .push = &push[i],
+                              .groups = {frame->width, rows, 1}};
         shadows_bind(frame, &r->shadows, &steps[i]);
         steps[i].resources[SHADOWS_BINDINGS] = frame->light;
     }
-    gpu_status status = render_run(frame, steps, (int)count, statistics);
+    gpu_status status = shadows_run(frame, steps, (int)count, statistics);
     free(steps);
-    free(first_rows);
+    free(push);
     return status;
 }
 

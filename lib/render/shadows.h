@@ -27,6 +27,10 @@ gpu_status shadows_compute(render_frame *frame, const char *path, const gpu_bind
 /* Fills the resources of those bindings. */
 void shadows_bind(const render_frame *frame, const shadows *shadows, gpu_step *step);
 
+/* render_run; GPU_FAILED where a ray was not followed to its end. */
+gpu_status shadows_run(render_frame *frame, const gpu_step *steps, int count,
+                       render_statistics *statistics);
+
 /* The points of a light in the order of the set: 64 of equal area, of which the first 16, and each
  * 16 that follow, cover it evenly too. Moved by `lift` along its normal. */
 void shadows_points(const render_area_light *light, double lift, float points[SHADOWS_POINTS][4]);

@@ -89,7 +89,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
         {.name = "gather",
          .compute = s->gather,
          .push = &s->settings,
-         .groups = {(s->settings.blocks_x * s->settings.blocks_y + 63) / 64, 1, 1}},
+         .groups = {s->settings.blocks_x, s->settings.blocks_y, 1}},
         {.name = "upsample",
          .compute = s->upsample,
          .resources = {frame->view, frame->position, frame->normal, s->sample_light,
@@ -105,7 +105,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
     steps[3].resources[SHADOWS_BINDINGS] = frame->light;
     steps[3].resources[SHADOWS_BINDINGS + 1] = s->arguments;
     steps[3].resources[SHADOWS_BINDINGS + 2] = s->list;
-    return render_run(frame, steps, (int)(sizeof steps / sizeof *steps), statistics);
+    return shadows_run(frame, steps, (int)(sizeof steps / sizeof *steps), statistics);
 }
 
 #define LOW(FACTOR, TITLE)                                                                         \

@@ -15,6 +15,7 @@ const uint COUNT_VERTICES = 5u;
 const uint COUNT_RAYS = 6u;      // shadow rays
 const uint COUNT_SAMPLES = 7u;   // places where irradiance was computed
 const uint COUNT_FRAGMENTS = 8u; // of level 0, 1, ... 4: this number and the four that follow
+const uint COUNT_GAVE_UP = 13u;  // rays or loops over lights that the driver ended
 
 layout(set = 0, binding = COUNTERS_BINDING, std430) buffer CounterBuffer
 {

@@ -19,7 +19,8 @@ void main()
     Surface s = surface_at(ivec2(pixel));
     vec3 light_sum = vec3(0.0);
     uint rays = 0u;
-    for (uint light = 0u; light < light_count; light++) {
+    uint light = 0u;
+    for (; light < light_count; light++) {
         Surface t = s;
         float form = 0.0;
         vec2 seen = vec2(0.0);
@@ -35,11 +36,12 @@ void main()
         if (seen.x > 0.0)
             light_sum += areas[light].exitance.rgb * (form * seen.x / seen.y);
     }
+    trace_gave_up = trace_gave_up || light < light_count;
     if ((gl_LocalInvocationIndex & 15u) == 0u)
         illumination[fragment_index(0u, pixel)] = vec4(light_sum, SAMPLE);
     if (gl_LocalInvocationIndex == 0u) {
         counter_add(COUNT_SAMPLES, 3u);
         counter_add(COUNT_EVALUATIONS, 3u * light_count);
     }
-    counter_add_group(COUNT_RAYS, rays);
+    count_rays(rays);
 }

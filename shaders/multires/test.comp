@@ -25,7 +25,8 @@ vec3 light_sub(bool joined, bool one_surface, Surface s, inout Found found, inou
 {
     uint sub = gl_LocalInvocationIndex / 16u;
     vec3 sum = vec3(0.0);
-    for (uint light = 0u; light < light_count; light++) {
+    uint light = 0u;
+    for (; light < light_count; light++) {
         Surface t = s;
         float form = 0.0;
         vec2 own = vec2(0.0), together = vec2(0.0);
@@ -47,6 +48,7 @@ vec3 light_sub(bool joined, bool one_surface, Surface s, inout Found found, inou
         if (seen.x > 0.0)
             sum += areas[light].exitance.rgb * (form * seen.x / seen.y);
     }
+    trace_gave_up = trace_gave_up || light < light_count;
     return sum;
 }
 
@@ -129,5 +131,5 @@ void main()
         counter_add(COUNT_SAMPLES, there);
         counter_add(COUNT_EVALUATIONS, there * light_count);
     }
-    counter_add_group(COUNT_RAYS, rays);
+    count_rays(rays);
 }

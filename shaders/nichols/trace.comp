@@ -3,12 +3,10 @@
 // trace.comp: the fragments of one level, 64 rays from each to every light (Nichols, Penmatsa and
 // Wyman 2010).
 #include "../multires/fragments.glsl"
+#include "../shadows/full.glsl"
 #include "bits.glsl"
 
 layout(local_size_x = 64) in;
-
-shared uint bits[2];
-shared float seen_weights[64], weights[64];
 
 // Four pixels of different surfaces: fragments each, not to be compared.
 void split(uvec2 at)
@@ -18,35 +16,6 @@ void split(uvec2 at)
         if (surface_at(ivec2(child)).there)
             push_fragment(0u, pack_fragment(child, 0u));
     }
-}
-
-vec3 light_fragment(uint light, Surface s, uint kept, inout uint rays)
-{
-    uint mine = gl_LocalInvocationIndex;
-    if (mine < 2u)
-        bits[mine] = 0u;
-    float form = area_form_factor(light, s);
-    float weight = form > 0.0 ? area_weight(light, mine, s) : 0.0;
-    bool sees = false;
-    if (weight > 0.0) {
-        sees = area_sees(light, mine, s);
-        rays++;
-    }
-    seen_weights[mine] = sees ? weight : 0.0;
-    weights[mine] = weight;
-    barrier();
-    if (sees)
-        atomicOr(bits[mine >> 5], 1u << (mine & 31u));
-    barrier();
-    float seen = 0.0, all = 0.0;
-    for (uint i = 0u; mine == 0u && i < 64u; i++) {
-        seen += seen_weights[i];
-        all += weights[i];
-    }
-    if (mine == 0u)
-        visible[kept + 1u + light] = uvec2(bits[0], bits[1]);
-    barrier();
-    return seen > 0.0 ? areas[light].exitance.rgb * (form * seen / all) : vec3(0.0);
 }
 
 void main()
@@ -63,8 +32,14 @@ void main()
     Surface s = surface_at(fragment_pixel(level, at));
     vec3 sum = vec3(0.0);
     uint rays = 0u;
-    for (uint light = 0u; light < light_count; light++)
-        sum += light_fragment(light, s, kept, rays);
+    uint light = 0u;
+    for (; light < light_count; light++) {
+        sum += full_light(light, s, rays);
+        if (gl_LocalInvocationIndex == 0u)
+            visible[kept + 1u + light] = uvec2(full_bits[0], full_bits[1]);
+        barrier();
+    }
+    trace_gave_up = trace_gave_up || light < light_count;
     if (gl_LocalInvocationIndex == 0u) {
         illumination[index] = vec4(sum, level == 0u ? FINAL : NOTHING);
         visible[kept] = uvec2(1u, 0u);
@@ -73,5 +48,5 @@ void main()
         if (level == 0u)
             counter_add(COUNT_FRAGMENTS, 1u);
     }
-    counter_add_group(COUNT_RAYS, rays);
+    count_rays(rays);
 }

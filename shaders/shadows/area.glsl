@@ -87,4 +87,12 @@ bool area_sees(uint light, uint point, Surface s)
     return trace_scene(ray, root, true) == TRACE_NONE;
 }
 
+// At the end of every pass that traces.
+void count_rays(uint rays)
+{
+    counter_add_group(COUNT_RAYS, rays);
+    if (trace_gave_up)
+        counter_add(COUNT_GAVE_UP, 1u);
+}
+
 #endif

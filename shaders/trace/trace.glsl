@@ -23,6 +23,10 @@ const uint TRACE_LEAF = 0x80000000u;
 const uint TRACE_NONE = 0xffffffffu;
 const uint TRACE_STACK = 64u;
 
+// Drivers may end loops that run long (llvmpipe does after 65,535 turns of all loops of an
+// invocation together): true where a ray was not followed to its end.
+bool trace_gave_up = false;
+
 struct Ray {
     vec3 origin, inverse; // inverse of the direction, finite
     vec3 shear;           // of x and y along z; z: 1 over the largest component of the direction
@@ -111,6 +115,7 @@ uint trace_scene(inout Ray ray, uint root, bool any)
         else
             node = top > 0u ? stack[--top] : TRACE_EMPTY;
     }
+    trace_gave_up = trace_gave_up || (node != TRACE_EMPTY && !(any && found != TRACE_NONE));
     return found;
 }
 

@@ -1,0 +1,146 @@
+/* multires_fixture.h: a small frame of the built-in scene with area lights, its G-buffer on the
+ * host, and the fragments of shaders/multires/fragments.glsl. */
+#ifndef MULTIRES_FIXTURE_H
+#define MULTIRES_FIXTURE_H
+
+#include "pass_fixture.h"
+
+#include <math.h>
+
+#include "render/internal.h"
+#include "render/multires.h"
+
+typedef struct fixture {
+    gpu_device *device;
+    render_scene scene;
+    render_frame frame;
+    float *position;
+    float (*normal)[3], (*face)[3];
+} fixture;
+
+static inline void fixture_read(fixture *f)
+{
+    size_t pixels = (size_t)f->frame.width * f->frame.height;
+    uint32_t *packed = malloc(pixels * 8);
+    f->position = malloc(pixels * 16);
+    f->normal = malloc(pixels * sizeof *f->normal);
+    f->face = malloc(pixels * sizeof *f->face);
+    must(gpu_image_read(f->frame.position, f->position));
+    must(gpu_image_read(f->frame.normal, packed));
+    for (size_t i = 0; i < pixels; i++) {
+        unpack_normal(packed[2 * i], f->normal[i]);
+        unpack_normal(packed[2 * i + 1], f->face[i]);
+    }
+    free(packed);
+}
+
+static inline void fixture_frame(fixture *f, uint32_t width, uint32_t height)
+{
+    render_options options = {.width = width, .height = height};
+    must(render_frame_create(f->device, &f->scene, &options, &f->frame));
+    fixture_read(f);
+}
+
+/* The frame points into the fixture, which therefore stays where it is. */
+static inline void fixture_open(fixture *f, const char *name, uint32_t width, uint32_t height)
+{
+    char path[1000];
+    const char *root = getenv("SGFIT_ROOT");
+    snprintf(path, sizeof path, "%s/tests/scenes/%s.json", root ? root : ".", name);
+    *f = (fixture){.device = open_software_device()};
+    assert_true(render_scene_read(path, NULL, &f->scene));
+    fixture_frame(f, width, height);
+}
+
+static inline void fixture_close_frame(fixture *f)
+{
+    free(f->position);
+    free(f->normal);
+    free(f->face);
+    render_frame_destroy(&f->frame);
+}
+
+static inline void fixture_close(fixture *f)
+{
+    fixture_close_frame(f);
+    render_scene_free(&f->scene);
+    close_clean(f->device);
+}
+
+/* Lights the frame; the light image, malloc'ed. */
+static inline float *fixture_light(fixture *f, const render_pipeline *pipeline,
+                                   render_statistics *statistics)
+{
+    must(render_frame_light(&f->frame, pipeline, statistics));
+    float *light = malloc((size_t)f->frame.width * f->frame.height * 16);
+    must(gpu_image_read(f->frame.light, light));
+    return light;
+}
+
+static inline double dot(const float a[3], const float b[3])
+{
+    return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
+}
+
+/* ---- Fragments ----------------------------------------------------------------------- */
+
+enum { STATE_NOTHING, STATE_FINAL, STATE_SAMPLE, STATE_PART, STATE_DARK };
+
+static inline size_t fragment_index(const multires *m, int level, uint32_t x, uint32_t y)
+{
+    static const size_t before[] = {0, 256, 320, 336, 340};
+    return before[level] * m->tiles + (size_t)y * (m->push[0].tiles[0] << (4 - level)) + x;
+}
+
+static inline const float *illumination(const multires *m, int level, uint32_t x, uint32_t y)
+{
+    return (const float *)gpu_buffer_map(m->illumination) + 4 * fragment_index(m, level, x, y);
+}
+
+static inline int state_of(const multires *m, int level, uint32_t x, uint32_t y)
+{
+    return (int)illumination(m, level, x, y)[3];
+}
+
+static inline float discontinuity(const multires *m, int level, uint32_t x, uint32_t y)
+{
+    return (
+        (const float *)gpu_buffer_map(m->pyramid))[fragment_index(m, level, x, y) - 256 * m->tiles];
+}
+
+static inline uint32_t list_count(const multires *m, int list)
+{
+    return ((const uint32_t *)gpu_buffer_map(m->work))[4 * list + 3] - 1;
+}
+
+static inline const uint32_t *list_entries(const multires *m, int list)
+{
+    size_t base = list == 0 ? 85 * m->tiles : fragment_index(m, list, 0, 0) - 256 * m->tiles;
+    return (const uint32_t *)gpu_buffer_map(m->lists) + base;
+}
+
+static inline int ascending(const void *a, const void *b)
+{
+    uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* malloc'ed, in ascending order */
+static inline uint32_t *sorted_list(const multires *m, int list)
+{
+    uint32_t count = list_count(m, list), *sorted = malloc(4 * (size_t)count + 4);
+    memcpy(sorted, list_entries(m, list), 4 * (size_t)count);
+    qsort(sorted, count, 4, ascending);
+    return sorted;
+}
+
+/* The pyramids and the first fragments. */
+static inline void run_first(fixture *f, multires *m)
+{
+    must(multires_create(&f->frame, &multires_default, m));
+    gpu_step steps[4];
+    assert_int_equal(multires_begin(&f->frame, m, steps), 4);
+    must(gpu_run(f->device, steps, 4, NULL));
+}
+
+#endif
