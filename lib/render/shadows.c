@@ -187,29 +187,29 @@ typedef struct strip_push {
     uint32_t first_row, first_light, last_light;
 } strip_push;
 
-/* In strips of rows, of the order of a second on a software device, and a few lights at a time, so
- * that no driver ends the loop over them. */
+/* In strips of rows, of the order of a second on a software device, and one light at a time, so
+ * that no driver ends the loop over its rays. */
 static gpu_status run(render_frame *frame, void *state, render_statistics *statistics)
 {
-    enum { LIGHTS = 16 };
+    enum { WIDTH = 16, HEIGHT = 8 };
     static const double strip_rays = 2e6;
     const reference *r = state;
     uint32_t lights = r->shadows.light_count;
-    uint32_t parts = lights > LIGHTS ? (lights + LIGHTS - 1) / LIGHTS : 1;
-    double row_rays = (double)frame->width * SHADOWS_POINTS * fmin(fmax(lights, 1), LIGHTS);
-    uint32_t strip = (uint32_t)fmin(fmax(strip_rays / row_rays, 1), frame->height);
-    uint32_t strips = (frame->height + strip - 1) / strip;
+    uint32_t parts = lights ? lights : 1, rows = (frame->height + HEIGHT - 1) / HEIGHT;
+    double row_rays = (double)frame->width * HEIGHT * SHADOWS_POINTS;
+    uint32_t strip = (uint32_t)fmin(fmax(strip_rays / row_rays, 1), rows);
+    uint32_t strips = (rows + strip - 1) / strip;
     size_t count = (size_t)strips * parts;
     gpu_step *steps = base_allocate(count * sizeof *steps);
     strip_push *push = base_allocate(count * sizeof *push);
     for (size_t i = 0; i < count; i++) {
-        uint32_t row = (uint32_t)(i / parts) * strip, light = (uint32_t)(i % parts) * LIGHTS;
-        uint32_t rows = frame->height - row < strip ? frame->height - row : strip;
-        push[i] = (strip_push){row, light, lights - light < LIGHTS ? lights : light + LIGHTS};
+        uint32_t row = (uint32_t)(i / parts) * strip, light = (uint32_t)(i % parts);
+        push[i] = (strip_push){row * HEIGHT, light, light < lights ? light + 1 : lights};
         steps[i] = (gpu_step){.name = "shadows",
                               .compute = r->compute,
                               .push = &push[i],
-                              .groups = {frame->width, rows, 1}};
+                              .groups = {(frame->width + WIDTH - 1) / WIDTH,
+                                         rows - row < strip ? rows - row : strip, 1}};
         shadows_bind(frame, &r->shadows, &steps[i]);
         steps[i].resources[SHADOWS_BINDINGS] = frame->light;
     }

@@ -89,7 +89,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
         {.name = "gather",
          .compute = s->gather,
          .push = &s->settings,
-         .groups = {s->settings.blocks_x, s->settings.blocks_y, 1}},
+         .groups = {(s->settings.blocks_x * s->settings.blocks_y + 63) / 64, 1, 1}},
         {.name = "upsample",
          .compute = s->upsample,
          .resources = {frame->view, frame->position, frame->normal, s->sample_light,

@@ -21,24 +21,25 @@ layout(local_size_x = 64) in;
 shared vec3 sub_light[4];
 shared uint sub_there[4];
 
+// Irradiance in the first four invocations, one for each sub-fragment.
 vec3 light_sub(bool joined, bool one_surface, Surface s, inout Found found, inout uint rays)
 {
-    uint sub = gl_LocalInvocationIndex / 16u;
+    uint sub = gl_LocalInvocationIndex % PLACES, light = 0u;
+    bool one = gl_LocalInvocationIndex < PLACES;
     vec3 sum = vec3(0.0);
-    uint light = 0u;
     for (; light < light_count; light++) {
         Surface t = s;
-        float form = 0.0;
         vec2 own = vec2(0.0), together = vec2(0.0);
         bool alone = false;
         for (uint k = 0u; k == 0u || (alone && k < 4u); k++) {
-            float f = see_light(light, t, joined ? sub + k & 3u : k, rays);
-            own += sum_places(sub, 1u);
+            see_light(light, t, joined ? sub + k & 3u : k, rays);
+            if (one)
+                own += sum_place(sub);
             if (k == 0u) {
-                form = f;
-                together = sum_places(0u, 4u);
                 bool is_steep = compare(joined, found);
                 alone = points == POINTS_BOTH && level == 1u && (!one_surface || is_steep);
+                if (one && joined && !alone)
+                    together = sum_places();
                 // the other points where some of these are seen, but not all
                 t.there = place_bits[sub] != 0u && place_bits[sub] != 0xffffu;
             }
@@ -46,7 +47,7 @@ vec3 light_sub(bool joined, bool one_surface, Surface s, inout Found found, inou
         }
         vec2 seen = joined && !alone ? together : own;
         if (seen.x > 0.0)
-            sum += areas[light].exitance.rgb * (form * seen.x / seen.y);
+            sum += areas[light].exitance.rgb * (area_form_factor(light, s) * seen.x / seen.y);
     }
     trace_gave_up = trace_gave_up || light < light_count;
     return sum;
@@ -98,7 +99,7 @@ void main()
     if (!take_fragment(level, entry))
         return;
     uvec2 at = unpack_fragment(entry);
-    uint sub = gl_LocalInvocationIndex / 16u;
+    uint sub = gl_LocalInvocationIndex % PLACES;
     Surface s = surface_at(fragment_pixel(level - 1u, at * 2u + sub_at(sub)));
     bool one_surface = pyramid[pyramid_index(level, at)] <= 1.0;
     bool joined = (points == POINTS_APART && one_surface) || (points == POINTS_BOTH && level == 1u);
@@ -115,7 +116,7 @@ void main()
             joined = true;
         }
     }
-    if ((gl_LocalInvocationIndex & 15u) == 0u) {
+    if (gl_LocalInvocationIndex < PLACES) {
         sub_light[sub] = light_sum;
         sub_there[sub] = s.there ? 1u : 0u;
     }

@@ -1,7 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// rest.comp: the pixels that upsample/upsample.comp found no sample for, by all rays. A work
-// group does 64 of them, one after the other.
+// rest.comp: the pixels that upsample/upsample.comp found no sample for, by all rays.
 #include "full.glsl"
 
 layout(local_size_x = 64) in;
@@ -16,17 +15,15 @@ layout(set = 0, binding = 11, std430) readonly buffer Exact { uint exact_pixels[
 
 void main()
 {
-    uint first = gl_WorkGroupID.x * 64u, last = min(first + 64u, exact_count - 1u), rays = 0u;
-    uint at = first;
-    for (; at < last; at++) {
-        ivec2 pixel = ivec2(exact_pixels[at] % view.size.x, exact_pixels[at] / view.size.x);
-        vec3 irradiance = full_irradiance(surface_at(pixel), 0u, light_count, rays);
-        if (gl_LocalInvocationIndex == 0u) {
-            imageStore(light_image, pixel, vec4(irradiance, 1.0));
-            counter_add(COUNT_EVALUATIONS, light_count);
-            counter_add(COUNT_SAMPLES, 1u);
-        }
-    }
-    trace_gave_up = trace_gave_up || at < last;
+    bool inside = gl_GlobalInvocationID.x < exact_count - 1u;
+    uint index = inside ? exact_pixels[gl_GlobalInvocationID.x] : 0u, rays = 0u;
+    ivec2 pixel = ivec2(index % view.size.x, index / view.size.x);
+    Surface s = surface_at(pixel);
+    s.there = s.there && inside;
+    vec3 irradiance = full_irradiance(s, 0u, light_count, rays);
+    if (s.there)
+        imageStore(light_image, pixel, vec4(irradiance, 1.0));
+    counter_add_group(COUNT_EVALUATIONS, s.there ? light_count : 0u);
+    counter_add_group(COUNT_SAMPLES, s.there ? 1u : 0u);
     count_rays(rays);
 }
