@@ -79,7 +79,8 @@ static void place(const scan *s, const row *r, double *lambda, double *cos_theta
     if (s->subject->truth)
         return;
     size_t known = r->truth ? cosines : 0;
-    memcpy(truth, r->truth, known * sizeof *truth);
+    if (known)
+        memcpy(truth, r->truth, known * sizeof *truth);
     sg_L_cos_batch(n - known, lambda + known, cos_theta + known, truth + known);
 }
 
