@@ -13,7 +13,7 @@ enum {
     HULL_MOST_NEAR = 64,
     HULL_VERTEX_BYTES = 12 * 16,
     HULL_SAMPLE_BYTES = 10 * 16,
-    HULL_MEAN_ROWS = 18 /* of 32 samples */
+    HULL_MEAN_ROWS = 9 /* of 32 samples */
 };
 
 /* How the far light is brought to the pixels. */

@@ -98,12 +98,21 @@ void main()
             }
         }
     }
-    uint first = whole ? atomicAdd(draw_vertices, 3u * count) : 0u;
+    bool one = count == 4u
+        && all(equal(uvec4(slots[0], slots[1], slots[2], slots[3]), uvec4(centre)));
+    uint first = whole ? atomicAdd(draw_vertices, one ? 6u : 3u * count) : 0u;
     if (!whole || first + 3u * count > uint(corners.length())) {
         leave_to_exact(q, p, tile);
         return;
     }
     uint middle = pack_pixel(tile + p + size / 2);
+    if (one) { // nothing to interpolate: two triangles instead of four
+        for (uint i = 0u; i < 6u; i++) {
+            uint corner = i < 3u ? i : i == 3u ? 0u : i - 2u;
+            corners[first + i] = uvec4(centre, at[corner], q.component, 0u);
+        }
+        return;
+    }
     for (uint i = 0u; i < count; i++) {
         uint j = i + 1u < count ? i + 1u : 0u;
         corners[first + 3u * i] = uvec4(centre, middle, q.component, 0u);
