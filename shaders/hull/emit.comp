@@ -66,6 +66,8 @@ void main()
     if (index >= leaf_count)
         return;
     Quad q = quads[leaves[index]];
+    bool flat_quad = (q.size & FLAT_BIT) != 0u;
+    q.size &= ~FLAT_BIT;
     ivec2 size = unpack_pixel(q.size);
     ivec2 tile = tile_origin(q.component), p = unpack_pixel(q.origin) - tile;
     uint centre = vertex_slot(q.centre), slots[4];
@@ -98,18 +100,17 @@ void main()
             }
         }
     }
-    bool one = count == 4u
-        && all(equal(uvec4(slots[0], slots[1], slots[2], slots[3]), uvec4(centre)));
-    uint first = whole ? atomicAdd(draw_vertices, one ? 6u : 3u * count) : 0u;
+    bool two = count == 4u && flat_quad; // triangles are enough
+    uint first = whole ? atomicAdd(draw_vertices, two ? 6u : 3u * count) : 0u;
     if (!whole || first + 3u * count > uint(corners.length())) {
         leave_to_exact(q, p, tile);
         return;
     }
     uint middle = pack_pixel(tile + p + size / 2);
-    if (one) { // nothing to interpolate: two triangles instead of four
+    if (two) {
         for (uint i = 0u; i < 6u; i++) {
             uint corner = i < 3u ? i : i == 3u ? 0u : i - 2u;
-            corners[first + i] = uvec4(centre, at[corner], q.component, 0u);
+            corners[first + i] = uvec4(rim[corner], at[corner], q.component, 0u);
         }
         return;
     }

@@ -70,7 +70,10 @@ void main()
     ivec2 size = unpack_pixel(q.size), p = unpack_pixel(q.origin) - tile_origin(q.component);
     ivec2 first = (size / 2 + STEP - 1) / STEP * STEP; // of the two parts, across and down
     uint children = 0u, count = 0u, at = 0u;
-    if (level + 1u < LEVELS && split_error(q) > split * mean) {
+    float error = split_error(q);
+    if (error < FLAT * split * mean)
+        quads[index].size |= FLAT_BIT;
+    if (level + 1u < LEVELS && error > split * mean) {
         for (int i = 0; i < 4; i++) {
             ivec2 part = ivec2(i & 1, i >> 1), extent = mix(first, size - first, equal(part, ivec2(1)));
             if (all(greaterThan(extent, ivec2(0)))
