@@ -13,7 +13,7 @@ const uint SMALL_COMPONENT = 1u;  // as many pixels or fewer are lit exactly
 const uint LEVELS = 4u;           // how often quads are split, at most, plus 1
 const int STEP = 4;               // pixels; sides of quads are multiples of it
 const int ONE_VERTEX = 8;         // components no longer than this have one vertex along it
-const float FLAT = 0.25;          // with an error below this, of that which splits it, a quad does
+const float FLAT = 0.1;           // with an error below this, of that which splits it, a quad does
 const uint FLAT_BIT = 0x8000u;    // without its centre; noted in its size
 const uint NONE = 0xffffffffu;
 
