@@ -182,9 +182,12 @@ static void every_pixel_is_covered_and_alike(void **state)
             assert_memory_equal(light, again, count * sizeof *light);
             render_comparison comparison;
             render_compare(count / 4, light, truth, NULL, &comparison);
-            /* detailed normals on so few pixels are noise */
-            double most = i == 3 ? 1 : i == 2 ? 0.3 : s == 1 ? 0.15 : 0.03;
-            if (!(comparison.rel <= most))
+            /* detailed normals on few pixels are noise, and 16 rows are few for a whole view */
+            static const double most[4][4] = {{1e-4, 1e-4, 1e-4, 1e-4},
+                                              {0.15, 0.15, 1, 1},
+                                              {0.2, 0.2, 1, 1},
+                                              {0.03, 0.08, 0.2, 0.2}};
+            if (!(comparison.rel <= most[s][i]))
                 fail_msg("%s, %u x %u: rel %g", ids[i], sizes[s][0], sizes[s][1], comparison.rel);
         }
         free(light);
