@@ -238,6 +238,7 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
         .title = TITLE,                                                                            \
         .create = create_##NAME,                                                                   \
         .run = hull_run,                                                                           \
+        .dump = hull_dump,                                                                         \
         .destroy = hull_destroy,                                                                   \
     };
 

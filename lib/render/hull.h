@@ -37,6 +37,7 @@ extern const hull_settings hull_standard, hull_far_standard, hull_sh_standard;
 gpu_status hull_create(render_frame *frame, const hull_settings *settings, void **state);
 gpu_status hull_run(render_frame *frame, void *state, render_statistics *statistics);
 void hull_destroy(void *state);
+bool hull_dump(render_frame *frame, void *state, const char *folder);
 
 extern const render_pipeline hull_pipeline, hull_lobe_pipeline;
 extern const render_pipeline upsample_sh4_pipeline, upsample_sh8_pipeline, upsample_far_pipeline;
