@@ -11,8 +11,8 @@ enum {
     HULL_MOST_COMPONENTS = 64, /* in a tile */
     HULL_BLOCK = 8,
     HULL_MOST_NEAR = 64,
-    HULL_VERTEX_BYTES = 12 * 16,
-    HULL_SAMPLE_BYTES = 10 * 16,
+    HULL_VERTEX_BYTES = 13 * 16,
+    HULL_SAMPLE_BYTES = 12 * 16,
     HULL_MEAN_ROWS = 9 /* of 32 samples */
 };
 

@@ -54,7 +54,7 @@ void main()
             vec3 g = far * form_factor_gradient(l, x, n) - f * window_gradient;
             vec3 e = light_exitance(l);
             exact += e * (far * f);
-            vertex_take(v, e, far, light_moments(l, x));
+            vertex_take(v, e, far, light_moments(l, x), light_fourth(l, x));
             v.gradient0.xyz += e.r * g;
             v.gradient1.xyz += e.g * g;
             v.gradient2.xyz += e.b * g;
@@ -62,8 +62,7 @@ void main()
         barrier();
     }
     v.place.xyz = 0.5 * x;
-    v.normal.xyz = n;
-    vertex_finish(v);
+    vertex_finish(v, n);
     // c: so that the vertex gives its exact irradiance at its own place and normal
     vec3 c = exact - vertex_irradiance(v, x, n);
     v.place.w = c.r;

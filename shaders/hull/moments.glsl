@@ -10,6 +10,30 @@ struct Moments {
     vec3 products;     // of w_x w_y, w_x w_z, w_y w_z
 };
 
+// One number for each of the nine harmonics of order 4.
+struct Fourth {
+    vec4 a, b;
+    float c;
+};
+
+Fourth harmonics(vec3 w)
+{
+    vec3 s = w * w;
+    float z7 = 7.0 * s.z, xy = w.x * w.y;
+    return Fourth(vec4(xy * (s.x - s.y), w.y * w.z * (3.0 * s.x - s.y), xy * (z7 - 1.0),
+                       w.y * w.z * (z7 - 3.0)),
+                  vec4((35.0 * s.z - 30.0) * s.z + 3.0, w.x * w.z * (z7 - 3.0),
+                       (s.x - s.y) * (z7 - 1.0), w.x * w.z * (s.x - 3.0 * s.y)),
+                  s.x * (s.x - 3.0 * s.y) - s.y * (3.0 * s.x - s.y));
+}
+
+// The irradiance of order 4 on a surface with normal n.
+float fourth_order(Fourth sum, vec3 n)
+{
+    Fourth h = harmonics(n);
+    return dot(sum.a, h.a) + dot(sum.b, h.b) + sum.c * h.c;
+}
+
 #ifdef FORM_FACTOR_GLSL
 
 // One edge's share of the first and second moment; g: cross product of its ends on the unit sphere.
@@ -38,6 +62,29 @@ Moments light_moments(Light l, vec3 x)
     m.squares = (m.squares + m.solid_angle) / 3.0;
     m.products /= 3.0;
     return m;
+}
+
+// Its integrals of the harmonics of order 4, weighted for fourth_order below, by three points on the
+// triangle: enough for light that is far.
+Fourth light_fourth(Light l, vec3 x)
+{
+    Fourth sum = Fourth(vec4(0.0), vec4(0.0), 0.0);
+    vec3 middle = (l.a.xyz + l.b.xyz + l.c.xyz) / 6.0 - x;
+    for (int i = 0; i < 3; i++) {
+        vec3 r = middle + 0.5 * (i == 0 ? l.a.xyz : i == 1 ? l.b.xyz : l.c.xyz);
+        float inv = inversesqrt(dot(r, r));
+        Fourth h = harmonics(r * inv);
+        float w = max(-dot(l.plane.xyz, r), 0.0) * inv * inv * inv * l.plane.w / 3.0;
+        sum.a += w * h.a;
+        sum.b += w * h.b;
+        sum.c += w * h.c;
+    }
+    // (4 pi / 9) N^2 of each harmonic, times what the cosine leaves of order 4, -3/32 over pi
+    const float k = -3.0 / 32.0 / PI;
+    sum.a *= k * vec4(8.75, 4.375, 1.25, 0.625);
+    sum.b *= k * vec4(0.015625, 0.625, 0.3125, 4.375);
+    sum.c *= k * 0.546875;
+    return sum;
 }
 
 // Gradient over x of the form factor, by three points on the triangle: exact far from it.

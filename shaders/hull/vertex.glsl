@@ -4,25 +4,22 @@
 // coefficient interpolated between vertices: M and B are the radiance's moments up to order 2; c is
 // what they miss at the vertex's own normal, G the gradient over position there and x_v the place
 // of the vertex. With half of the gradient in c, what is linear and quadratic between the vertices
-// comes out exactly, and the vertices need not lie where the quad wanted them. c and G fade out for
-// pixels whose normals are far from those of the vertices.
+// comes out exactly, and the vertices need not lie where the quad wanted them. Order 4, which matters
+// for normals unlike the vertex's, is kept of the luminance and takes the colour of the rest.
 #ifndef VERTEX_GLSL
 #define VERTEX_GLSL
 
-// cosines between the normals of a pixel and of the vertices: without c and G, and with all of them
-const float NORMAL_FAR = 0.2, NORMAL_NEAR = 0.9;
-
-const int VERTEX_VECTORS = 12;
+const int VERTEX_VECTORS = 13;
 
 struct Vertex {
     vec4 red0, green0, blue0; // M: xx, yy, zz, xy
     vec4 red1, green1, blue1; // M: xz, yz; B: x, y
-    vec4 b;                   // B: z red, green, blue; w: 0
+    vec4 b;                   // B: z red, green, blue; w: Fourth.c
     vec4 place;               // x_v/2; c red
     vec4 gradient0;           // red; c green
     vec4 gradient1;           // green; c blue
     vec4 gradient2;           // blue; w: 0
-    vec4 normal;              // for which c and G hold; w: 0
+    vec4 fourth_a, fourth_b;  // Fourth, of the mean of the colours
 };
 
 vec3 vertex_irradiance(Vertex v, vec3 x, vec3 n)
@@ -32,19 +29,22 @@ vec3 vertex_irradiance(Vertex v, vec3 x, vec3 n)
     vec3 moments = vec3(dot(v.red0, s0) + dot(v.red1, s1), dot(v.green0, s0) + dot(v.green1, s1),
                         dot(v.blue0, s0) + dot(v.blue1, s1))
         + v.b.xyz * n.z;
-    vec3 local = vec3(v.place.w, v.gradient0.w, v.gradient1.w)
+    vec3 all_of_it = vec3(v.red0.x + v.red0.y + v.red0.z, v.green0.x + v.green0.y + v.green0.z,
+                          v.blue0.x + v.blue0.y + v.blue0.z);
+    vec3 color = all_of_it * (3.0 / max(all_of_it.r + all_of_it.g + all_of_it.b, 1e-20));
+    moments += color * fourth_order(Fourth(v.fourth_a, v.fourth_b, v.b.w), n);
+    return moments + vec3(v.place.w, v.gradient0.w, v.gradient1.w)
         + vec3(dot(v.gradient0.xyz, d), dot(v.gradient1.xyz, d), dot(v.gradient2.xyz, d));
-    return moments + smoothstep(NORMAL_FAR, NORMAL_NEAR, dot(n, v.normal.xyz)) * local;
 }
 
 Vertex vertex_zero()
 {
     const vec4 o = vec4(0.0);
-    return Vertex(o, o, o, o, o, o, o, o, o, o, o, o);
+    return Vertex(o, o, o, o, o, o, o, o, o, o, o, o, o);
 }
 
 // Takes in the share far of a light of exitance e.
-void vertex_take(inout Vertex v, vec3 e, float far, Moments m)
+void vertex_take(inout Vertex v, vec3 e, float far, Moments m, Fourth f)
 {
     vec3 s = far / PI * (15.0 / 32.0 * m.squares + 3.0 / 32.0 * m.solid_angle);
     vec3 p = far / PI * 15.0 / 32.0 * m.products, b = far * 0.5 / PI * m.first;
@@ -55,10 +55,13 @@ void vertex_take(inout Vertex v, vec3 e, float far, Moments m)
     v.red1 += e.r * m1;
     v.green1 += e.g * m1;
     v.blue1 += e.b * m1;
-    v.b.xyz += e * b.z;
+    float mean_e = (e.r + e.g + e.b) / 3.0 * far;
+    v.b += vec4(e * b.z, mean_e * f.c);
+    v.fourth_a += mean_e * f.a;
+    v.fourth_b += mean_e * f.b;
 }
 
-void vertex_finish(inout Vertex v)
+void vertex_finish(inout Vertex v, vec3 n)
 {
 }
 
@@ -75,7 +78,8 @@ void vertex_add(inout Vertex v, float weight, Vertex w)
     v.gradient0 += weight * w.gradient0;
     v.gradient1 += weight * w.gradient1;
     v.gradient2 += weight * w.gradient2;
-    v.normal += weight * w.normal;
+    v.fourth_a += weight * w.fourth_a;
+    v.fourth_b += weight * w.fourth_b;
 }
 
 #endif

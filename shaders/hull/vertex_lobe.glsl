@@ -44,7 +44,7 @@ Vertex vertex_zero()
     return Vertex(o, o, o, o, o, o, o, o, o);
 }
 
-void vertex_take(inout Vertex v, vec3 e, float far, Moments m)
+void vertex_take(inout Vertex v, vec3 e, float far, Moments m, Fourth f)
 {
     vec4 both = far / PI * vec4(m.first, m.solid_angle);
     v.red += e.r * both;
@@ -65,8 +65,9 @@ vec4 lobe_of_moments(vec4 m)
     return vec4(m.xyz / max(size, 1e-20), lobe_sharpness(size / max(m.w, 1e-20)));
 }
 
-void vertex_finish(inout Vertex v)
+void vertex_finish(inout Vertex v, vec3 n)
 {
+    v.normal.xyz = n;
     v.flux.rgb = vec3(v.red.w, v.green.w, v.blue.w);
     v.red = lobe_of_moments(v.red);
     v.green = lobe_of_moments(v.green);

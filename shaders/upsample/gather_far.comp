@@ -30,7 +30,7 @@ void main()
     uint index = gl_GlobalInvocationID.x, count = view.size.z;
     bool inside = index < blocks_x * blocks_y;
     Sample s = Sample(vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0),
-                      vec4(0));
+                      vec4(0), vec4(0), vec4(0));
     ivec2 pixel = ivec2(0);
     if (inside)
         pixel = block_pixel(ivec2(index % blocks_x, index / blocks_x), position_image, s.position);
@@ -63,7 +63,11 @@ void main()
             s.red1 += e.r * m1;
             s.green1 += e.g * m1;
             s.blue1 += e.b * m1;
-            s.b.xyz += e * b.z;
+            Fourth f = light_fourth(l, s.position.xyz);
+            float mean_e = (e.r + e.g + e.b) / 3.0;
+            s.b += vec4(e * b.z, mean_e * f.c);
+            s.fourth_a += mean_e * f.a;
+            s.fourth_b += mean_e * f.b;
         }
         barrier();
     }
