@@ -61,6 +61,12 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
     return shadows_run(frame, steps, count, statistics);
 }
 
+static bool dump(render_frame *frame, void *pointer, const char *folder)
+{
+    const state *s = pointer;
+    return multires_dump(frame, &s->m, folder);
+}
+
 #define MULTIRES(NAME, ID, POINTS, TITLE)                                                          \
     static gpu_status create##NAME(render_frame *frame, void **pointer)                            \
     {                                                                                              \
@@ -74,6 +80,7 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
         .shadows = true,                                                                           \
         .create = create##NAME,                                                                    \
         .run = run,                                                                                \
+        .dump = dump,                                                                              \
         .destroy = destroy,                                                                        \
     };
 

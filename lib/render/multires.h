@@ -48,6 +48,9 @@ gpu_step multires_list_step(const render_frame *frame, const multires *m, const 
 /* Resetting, the pyramids and the first fragments: returns how many steps were written, 4. */
 int multires_begin(const render_frame *frame, const multires *m, gpu_step *steps);
 
+/* Writes fragments.png into the folder: levels 0 to 4 red, orange, yellow, green, blue. */
+bool multires_dump(const render_frame *frame, const multires *m, const char *folder);
+
 extern const render_pipeline multires_pipeline, multires_same_pipeline, multires_apart_pipeline,
     nichols_pipeline;
 

@@ -88,11 +88,18 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
     return shadows_run(frame, steps, count, statistics);
 }
 
+static bool dump(render_frame *frame, void *pointer, const char *folder)
+{
+    const state *s = pointer;
+    return multires_dump(frame, &s->m, folder);
+}
+
 const render_pipeline nichols_pipeline = {
     .id = "nichols",
     .title = "area lights with shadows by refinement between neighbours (Nichols et al. 2010)",
     .shadows = true,
     .create = create,
     .run = run,
+    .dump = dump,
     .destroy = destroy,
 };
