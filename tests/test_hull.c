@@ -186,7 +186,7 @@ static void every_pixel_is_covered_and_alike(void **state)
             static const double most[4][4] = {{1e-4, 1e-4, 1e-4, 1e-4},
                                               {0.15, 0.15, 1, 1},
                                               {0.2, 0.2, 1, 1},
-                                              {0.03, 0.08, 0.2, 0.2}};
+                                              {0.04, 0.08, 0.2, 0.2}};
             if (!(comparison.rel <= most[s][i]))
                 fail_msg("%s, %u x %u: rel %g", ids[i], sizes[s][0], sizes[s][1], comparison.rel);
         }

@@ -245,7 +245,7 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
 HULL(hull, "hull", "a hull of vertices for the far light, near lights at every pixel",
      hull_standard, settings.kind = HULL_MOMENTS)
 HULL(hull_lobe, "hull_lobe", "the same with one lobe a colour at each vertex", hull_standard,
-     settings.kind = HULL_LOBES, settings.split = 0.2F)
+     settings.kind = HULL_LOBES, settings.split = 0.15F, settings.link_cosine = 0.5F)
 HULL(upsample_sh4, "upsample_sh4",
      "quarter resolution, joint bilateral upsampling of light by moments up to order 2",
      hull_sh_standard, settings.factor = 4)

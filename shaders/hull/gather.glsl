@@ -54,7 +54,14 @@ void main()
             vec3 g = far * form_factor_gradient(l, x, n) - f * window_gradient;
             vec3 e = light_exitance(l);
             exact += e * (far * f);
+#ifdef VERTEX_LOBES
+            // a lobe has no room for what lies below the horizon, where only other normals see it
+            vec3 to = (l.a.xyz + l.b.xyz + l.c.xyz) / 3.0 - x;
+            float above = smoothstep(LOWEST, HIGHEST, dot(to, n) * inversesqrt(dot(to, to)));
+            vertex_take(v, e, far * above, light_moments(l, x));
+#else
             vertex_take(v, e, far, light_moments(l, x), light_fourth(l, x));
+#endif
             v.gradient0.xyz += e.r * g;
             v.gradient1.xyz += e.g * g;
             v.gradient2.xyz += e.b * g;

@@ -7,6 +7,8 @@
 #include "../common/method.glsl"
 
 const float NORMAL_FAR = 0.2, NORMAL_NEAR = 0.9;
+// sines of elevations between which light begins to count
+const float LOWEST = -0.9, HIGHEST = -0.1;
 const int VERTEX_VECTORS = 9;
 
 struct Vertex {
@@ -44,7 +46,7 @@ Vertex vertex_zero()
     return Vertex(o, o, o, o, o, o, o, o, o);
 }
 
-void vertex_take(inout Vertex v, vec3 e, float far, Moments m, Fourth f)
+void vertex_take(inout Vertex v, vec3 e, float far, Moments m)
 {
     vec4 both = far / PI * vec4(m.first, m.solid_angle);
     v.red += e.r * both;
