@@ -1,5 +1,5 @@
-/* report_tried.c: the section "What was tried": bench/tried.md, whose Markdown is headings, lists,
- * tables shown as they are, and paragraphs. */
+/* report_tried.c: the section "What was tried": bench/tried.md and bench/hull_tried.md, whose
+ * Markdown is headings, lists, tables shown as they are, and paragraphs. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,17 +11,23 @@
 
 typedef enum block { NOTHING, PARAGRAPH, LIST, VERBATIM } block;
 
-static char *tried_path(void)
+static const char *const files[] = {"bench/tried.md", "bench/hull_tried.md"};
+enum { FILES = sizeof files / sizeof *files };
+
+static char *tried_path(size_t file)
 {
-    return base_join(base_source_root(), "bench/tried.md");
+    return base_join(base_source_root(), files[file]);
 }
 
 bool report_has_tried(const report *report)
 {
     (void)report;
-    char *path = tried_path();
-    bool there = access(path, R_OK) == 0;
-    free(path);
+    bool there = true;
+    for (size_t i = 0; i < FILES && there; i++) {
+        char *path = tried_path(i);
+        there = access(path, R_OK) == 0;
+        free(path);
+    }
     return there;
 }
 
@@ -67,22 +73,19 @@ static void write_line(FILE *out, block *now, bool *item, const char *line)
     }
 }
 
-bool report_tried(report *report)
+static bool write_file(FILE *out, size_t file)
 {
-    char *path = tried_path(), *text = base_read_file(path, NULL);
+    char *path = tried_path(file), *text = base_read_file(path, NULL);
     free(path);
     if (!text)
         return false;
-    FILE *out = page_html(report->page);
     block now = NOTHING;
-    bool item = false, title = true;
+    bool item = false;
     for (char *line = text; *line;) {
         size_t length = strcspn(line, "\n");
         bool last = line[length] == '\0';
         line[length] = '\0';
-        if (!title || strncmp(line, "# ", 2) != 0) /* the section has a title */
-            write_line(out, &now, &item, line);
-        title = false;
+        write_line(out, &now, &item, line);
         line += length + !last;
         if (last)
             break;
@@ -90,4 +93,12 @@ bool report_tried(report *report)
     write_line(out, &now, &item, "");
     free(text);
     return true;
+}
+
+bool report_tried(report *report)
+{
+    bool good = true;
+    for (size_t i = 0; i < FILES && good; i++)
+        good = write_file(page_html(report->page), i);
+    return good;
 }
