@@ -8,7 +8,7 @@
 typedef struct multires_push {
     uint32_t tiles[2], level, differing, steep;
     float plane_limit, normal_limit;
-    uint32_t points;
+    uint32_t points, together;
 } multires_push;
 
 /* Of the 64 points of a light: POINTS_ of fragments.glsl. */
@@ -18,6 +18,7 @@ typedef struct multires_settings {
     uint32_t differing, steep;       /* bits */
     float plane_limit, normal_limit; /* pixels, 1 */
     enum multires_points points;
+    uint32_t together; /* fragments in a work group */
 } multires_settings;
 
 /* A pixel's discontinuity from its neighbours, as in shaders/multires/pyramids.comp. */

@@ -10,7 +10,8 @@ const multires_settings multires_default = {.differing = 1,
                                             .steep = 4,
                                             .plane_limit = 1.5F,
                                             .normal_limit = 0.25F,
-                                            .points = MULTIRES_BOTH};
+                                            .points = MULTIRES_BOTH,
+                                            .together = 16};
 
 static const size_t most_bytes = (size_t)128 << 20;
 
@@ -45,7 +46,8 @@ gpu_status multires_create(render_frame *frame, const multires_settings *setting
                                      .steep = settings->steep,
                                      .plane_limit = settings->plane_limit,
                                      .normal_limit = settings->normal_limit,
-                                     .points = (uint32_t)settings->points};
+                                     .points = (uint32_t)settings->points,
+                                     .together = settings->together};
     if (status == GPU_OK)
         status = create_buffers(frame, m);
     if (status == GPU_OK)

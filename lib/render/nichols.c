@@ -39,7 +39,9 @@ static gpu_status create(render_frame *frame, void **pointer)
     *pointer = NULL;
     state *s = base_allocate(sizeof *s);
     *s = (state){0};
-    gpu_status status = multires_create(frame, &multires_default, &s->m);
+    multires_settings settings = multires_default;
+    settings.together = 1;
+    gpu_status status = multires_create(frame, &settings, &s->m);
     if (status == GPU_OK)
         status = create_visible(frame, s);
     if (status == GPU_OK)

@@ -2,45 +2,35 @@
 #extension GL_GOOGLE_include_directive : require
 // additional.comp: additional samples (3.1.4): three pixels of each final fragment above level 2:
 // top left, top centre, left centre.
-#define PLACES 3u
 #include "fragments.glsl"
 #include "visibility.glsl"
 
-layout(local_size_x = 48) in;
+layout(local_size_x = 48) in; // 16 fragments
 
 void main()
 {
-    uint entry;
-    if (!take_fragment(0u, entry))
-        return;
-    uint l = entry >> 28 & 7u, place = gl_LocalInvocationIndex % PLACES;
-    uint h = 1u << (l - 1u);
+    uint entry, which = gl_LocalInvocationIndex / 3u, place = gl_LocalInvocationIndex % 3u;
+    bool taken = take_fragment(0u, which, entry);
+    uint l = taken ? entry >> 28 & 7u : 1u, h = 1u << (l - 1u), rays = 0u, light = 0u;
     uvec2 pixel = (unpack_fragment(entry) << l) + h * uvec2(place == 1u, place == 2u);
     Surface s = surface_at(ivec2(pixel));
     vec3 light_sum = vec3(0.0);
-    bool one = gl_LocalInvocationIndex < PLACES;
-    uint rays = 0u;
-    uint light = 0u;
-    for (; light < light_count; light++) {
-        Surface t = s;
+    for (; taken && light < light_count; light++) {
+        float form = area_form_factor(light, s);
         vec2 seen = vec2(0.0);
-        for (uint set = 0u; set < (points == POINTS_SAME ? 1u : 4u); set++) {
-            see_light(light, t, set, rays);
-            if (one)
-                seen += sum_place(place);
-            if (set == 0u) // the other points where some of these are seen, but not all
-                t.there = place_bits[place] != 0u && place_bits[place] != 0xffffu;
-            barrier();
+        uint sets = form > 0.0 ? 1u : 0u;
+        for (uint set = 0u; set < sets; set++) {
+            uint bits = see_set(light, s, set, seen, rays);
+            if (set == 0u && in_part(bits) && points != POINTS_SAME)
+                sets = 4u;
         }
         if (seen.x > 0.0)
-            light_sum += areas[light].exitance.rgb * (area_form_factor(light, s) * seen.x / seen.y);
+            light_sum += areas[light].exitance.rgb * (form * seen.x / seen.y);
     }
-    trace_gave_up = trace_gave_up || light < light_count;
-    if (one)
+    trace_gave_up = trace_gave_up || (taken && light < light_count);
+    if (taken)
         illumination[fragment_index(0u, pixel)] = vec4(light_sum, SAMPLE);
-    if (gl_LocalInvocationIndex == 0u) {
-        counter_add(COUNT_SAMPLES, 3u);
-        counter_add(COUNT_EVALUATIONS, 3u * light_count);
-    }
+    counter_add_group(COUNT_SAMPLES, taken ? 1u : 0u);
+    counter_add_group(COUNT_EVALUATIONS, taken ? light_count : 0u);
     count_rays(rays);
 }

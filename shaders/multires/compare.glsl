@@ -1,5 +1,4 @@
-// compare.glsl: what four sub-fragments see, bit by bit (3.1.2) and by number (3.1.3). Wants
-// visibility.glsl with 4 places before it.
+// compare.glsl: what four sub-fragments see, bit by bit (3.1.2) and by number (3.1.3).
 #ifndef COMPARE_GLSL
 #define COMPARE_GLSL
 
@@ -14,16 +13,16 @@ struct Found {
     bool half_shadow;
 };
 
-// Returns whether the gradient of this light is steep.
-bool compare(bool joined, inout Found found)
+// seen: bits of the four. Returns whether the gradient of this light is steep.
+bool compare(bool joined, uint seen[4], inout Found found)
 {
     uint all = 0xffffu, any = 0u, before = found.twice;
     found.twice = 0u;
     for (uint i = 0u; i < 4u; i++) {
-        uint next = place_bits[(i + 1u) & 3u];
-        all &= place_bits[i];
-        any |= place_bits[i];
-        int gradient = bitCount(place_bits[i]) - bitCount(next);
+        uint next = seen[(i + 1u) & 3u];
+        all &= seen[i];
+        any |= seen[i];
+        int gradient = bitCount(seen[i]) - bitCount(next);
         if (uint(abs(gradient)) > steep)
             found.twice |= 1u << i | 1u << ((i + 1u) & 3u);
     }

@@ -13,7 +13,8 @@ layout(push_constant) uniform Push
     uint steep;           // a gradient above it splits twice
     float plane_limit;    // of geometric discontinuity: pixels, see pyramids.comp,
     float normal_limit;   // and length of the diagonal of the box around the normals
-    uint points;          // one of these:
+    uint points;          // one of those below
+    uint together;        // fragments that a work group of the next passes takes
 };
 const uint POINTS_SAME = 0u;  // the same 16 of each light for all
 const uint POINTS_BOTH = 1u;  // the same 16 for tests, all 64 split over four for irradiance
@@ -23,7 +24,7 @@ const uint TOP = 4u;
 
 // What waits: list l of fragments of level l to be tested; list 0 of those that get more samples.
 struct Work {
-    uint groups[3]; // of an indirect dispatch, one a fragment
+    uint groups[3]; // of an indirect dispatch
     uint count;     // 1 more than there are
 };
 layout(set = 0, binding = 9, std430) buffer WorkBuffer { Work work[]; };
@@ -73,19 +74,20 @@ uint list_base(uint l)
     return l == 0u ? 85u * tiles.x * tiles.y : level_base(l) - level_base(1u);
 }
 
-// As many groups as entries, in rows of 32768.
+// As many groups as the entries need, in rows of 32768.
 void push_fragment(uint list, uint entry)
 {
     uint slot = atomicAdd(work[list].count, 1u) - 1u;
     lists[list_base(list) + slot] = entry;
-    atomicMax(work[list].groups[0], min(slot + 1u, 32768u));
-    atomicMax(work[list].groups[1], slot / 32768u + 1u);
+    uint group = slot / together;
+    atomicMax(work[list].groups[0], min(group + 1u, 32768u));
+    atomicMax(work[list].groups[1], group / 32768u + 1u);
 }
 
-// The fragment of this group; false where there is none left.
-bool take_fragment(uint list, out uint entry)
+// A fragment of this group; false where there is none left.
+bool take_fragment(uint list, uint which, out uint entry)
 {
-    uint slot = gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x;
+    uint slot = (gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x) * together + which;
     bool there = slot + 1u < work[list].count;
     entry = there ? lists[list_base(list) + slot] : 0u;
     return there;

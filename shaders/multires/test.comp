@@ -11,56 +11,58 @@
 // `points` has it of final fragments in half shadow, which are traced once more, and of the four
 // pixels of level 1, unless they are of several surfaces or the shadow is steep: then each pixel in
 // half shadow looks at the other 48 points too.
-#define PLACES 4u
 #include "fragments.glsl"
 #include "visibility.glsl"
 #include "compare.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 64) in; // 16 fragments of four sub-fragments
 
-shared vec3 sub_light[4];
-shared uint sub_there[4];
+shared uint sub_bits[64];
+shared vec2 sub_weights[64];
+shared vec3 sub_light[64];
+shared uint sub_there[64];
 
-// Irradiance in the first four invocations, one for each sub-fragment.
+// Irradiance of the sub-fragment of this invocation, in uniform control flow.
 vec3 light_sub(bool joined, bool one_surface, Surface s, inout Found found, inout uint rays)
 {
-    uint sub = gl_LocalInvocationIndex % PLACES, light = 0u;
-    bool one = gl_LocalInvocationIndex < PLACES;
+    uint mine = gl_LocalInvocationIndex, first = mine & ~3u, light = 0u;
     vec3 sum = vec3(0.0);
     for (; light < light_count; light++) {
-        Surface t = s;
-        vec2 own = vec2(0.0), together = vec2(0.0);
-        bool alone = false;
-        for (uint k = 0u; k == 0u || (alone && k < 4u); k++) {
-            see_light(light, t, joined ? sub + k & 3u : k, rays);
-            if (one)
-                own += sum_place(sub);
-            if (k == 0u) {
-                bool is_steep = compare(joined, found);
-                alone = points == POINTS_BOTH && level == 1u && (!one_surface || is_steep);
-                if (one && joined && !alone)
-                    together = sum_places();
-                // the other points where some of these are seen, but not all
-                t.there = place_bits[sub] != 0u && place_bits[sub] != 0xffffu;
-            }
-            barrier();
+        float form = s.there ? area_form_factor(light, s) : 0.0;
+        vec2 own = vec2(0.0);
+        uint set = joined ? mine & 3u : 0u;
+        uint bits = form > 0.0 ? see_set(light, s, set, own, rays) : 0u;
+        sub_bits[mine] = bits;
+        sub_weights[mine] = own;
+        barrier();
+        uint seen[4];
+        vec2 together = vec2(0.0);
+        for (uint i = 0u; i < 4u; i++) {
+            seen[i] = sub_bits[first + i];
+            together += sub_weights[first + i];
         }
-        vec2 seen = joined && !alone ? together : own;
-        if (seen.x > 0.0)
-            sum += areas[light].exitance.rgb * (area_form_factor(light, s) * seen.x / seen.y);
+        barrier();
+        bool is_steep = compare(joined, seen, found);
+        bool alone = points == POINTS_BOTH && level == 1u && (!one_surface || is_steep);
+        // the other points where some of these are seen, but not all
+        for (uint k = 1u; k < 4u && alone && in_part(bits); k++)
+            see_set(light, s, set + k & 3u, own, rays);
+        own = joined && !alone ? together : own;
+        if (own.x > 0.0)
+            sum += areas[light].exitance.rgb * (form * own.x / own.y);
     }
     trace_gave_up = trace_gave_up || light < light_count;
     return sum;
 }
 
-void keep_pixels(uvec2 at, bool split)
+void keep_pixels(uint first, uvec2 at, bool split)
 {
     uint kept = 0u;
     for (uint i = 0u; i < 4u; i++) {
-        if (sub_there[i] == 0u)
+        if (sub_there[first + i] == 0u)
             continue;
         uint index = fragment_index(0u, at * 2u + sub_at(i));
-        illumination[index] = vec4(sub_light[i], split ? FINAL : PART);
+        illumination[index] = vec4(sub_light[first + i], split ? FINAL : PART);
         kept++;
     }
     counter_add(split ? COUNT_FRAGMENTS : COUNT_FRAGMENTS + 1u, split ? kept : 1u);
@@ -80,12 +82,12 @@ void split_fragment(uvec2 at, uint twice)
     }
 }
 
-void keep_fragment(uvec2 at, uint entry)
+void keep_fragment(uint first, uvec2 at, uint entry)
 {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < 4u; i++) {
-        sum += sub_light[i];
-        illumination[fragment_index(level - 1u, at * 2u + sub_at(i))] = vec4(sub_light[i], PART);
+        sum += sub_light[first + i];
+        illumination[fragment_index(level - 1u, at * 2u + sub_at(i))] = vec4(sub_light[first + i], PART);
     }
     illumination[fragment_index(level, at)] = vec4(0.25 * sum, FINAL);
     if (level > 2u)
@@ -95,42 +97,33 @@ void keep_fragment(uvec2 at, uint entry)
 
 void main()
 {
-    uint entry;
-    if (!take_fragment(level, entry))
-        return;
+    uint mine = gl_LocalInvocationIndex, sub = mine & 3u, first = mine & ~3u, entry, rays = 0u;
+    bool taken = take_fragment(level, mine / 4u, entry);
     uvec2 at = unpack_fragment(entry);
-    uint sub = gl_LocalInvocationIndex % PLACES;
     Surface s = surface_at(fragment_pixel(level - 1u, at * 2u + sub_at(sub)));
-    bool one_surface = pyramid[pyramid_index(level, at)] <= 1.0;
+    s.there = s.there && taken;
+    bool there = s.there, one_surface = taken && pyramid[pyramid_index(level, at)] <= 1.0;
     bool joined = (points == POINTS_APART && one_surface) || (points == POINTS_BOTH && level == 1u);
     Found found = Found(0u, 0u, false), again = found;
-    uint rays = 0u;
-    vec3 light_sum = vec3(0.0);
-    bool split = false, half_shadow = true;
-    for (uint round = 0u; round < 2u && half_shadow; round++) {
-        light_sum = light_sub(joined, one_surface, s, again, rays);
-        if (round == 0u) {
-            found = again;
-            split = (entry & FORCED) != 0u || found.differ >= differing;
-            half_shadow = found.half_shadow && !split && level > 1u && points == POINTS_BOTH;
-            joined = true;
-        }
+    vec3 light_sum = light_sub(joined, one_surface, s, found, rays);
+    bool split = (entry & FORCED) != 0u || found.differ >= differing;
+    if (level > 1u && points == POINTS_BOTH) { // for all of the group: the others trace nothing
+        s.there = s.there && found.half_shadow && !split;
+        vec3 finer = light_sub(true, true, s, again, rays);
+        light_sum = s.there ? finer : light_sum;
     }
-    if (gl_LocalInvocationIndex < PLACES) {
-        sub_light[sub] = light_sum;
-        sub_there[sub] = s.there ? 1u : 0u;
-    }
+    sub_light[mine] = light_sum;
+    sub_there[mine] = there ? 1u : 0u;
     barrier();
-    if (gl_LocalInvocationIndex == 0u) {
+    if (sub == 0u && taken) {
         if (level == 1u)
-            keep_pixels(at, split);
+            keep_pixels(first, at, split);
         else if (split)
             split_fragment(at, found.twice);
         else
-            keep_fragment(at, entry);
-        uint there = sub_there[0] + sub_there[1] + sub_there[2] + sub_there[3];
-        counter_add(COUNT_SAMPLES, there);
-        counter_add(COUNT_EVALUATIONS, there * light_count);
+            keep_fragment(first, at, entry);
     }
+    counter_add_group(COUNT_SAMPLES, there ? 1u : 0u);
+    counter_add_group(COUNT_EVALUATIONS, there ? light_count : 0u);
     count_rays(rays);
 }

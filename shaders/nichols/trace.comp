@@ -56,7 +56,7 @@ void split(uvec2 at)
 void main()
 {
     uint entry;
-    if (!take_fragment(level, entry))
+    if (!take_fragment(level, 0u, entry))
         return;
     uvec2 at = unpack_fragment(entry);
     if ((entry & FORCED) != 0u) {
