@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "base/order.h"
+
 const double cost_lambda_min = 1e-2, cost_lambda_max = 1e4;
 
 void cost_points_fill(cost_points *points)
@@ -74,12 +76,6 @@ static double run(const work *work, int passes, double *out)
     return now() - start;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static cost_time measure(const work *work, int samples)
 {
     enum { LONGEST = 64 };
@@ -98,9 +94,9 @@ static cost_time measure(const work *work, int samples)
     }
     for (int i = 0; i < samples; i++)
         times[i] = run(work, passes, out) / ((double)passes * COST_POINTS);
-    qsort(times, (size_t)samples, sizeof *times, ascending);
     free(out);
-    return (cost_time){times[0], times[samples / 2]};
+    double median = base_median(times, (size_t)samples); /* sorts them */
+    return (cost_time){times[0], median};
 }
 
 cost_time cost_time_f32(const cost_points *points, float (*f)(float, float), int samples)

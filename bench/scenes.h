@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "render/render.h"
 
@@ -99,6 +100,10 @@ bool scenes_choice(const scenes_plan *plan);
 bool scenes_shadows(const scenes_plan *plan);
 /* Virtual spherical Gaussian lights by every method: lobes.csv, lobes/. */
 bool scenes_lobes(const scenes_plan *plan);
+
+/* Runs a part that writes one CSV of the built-in scene. False after one line. */
+typedef bool (*scenes_work)(const scenes_plan *plan, const render_scene *scene, FILE *out);
+bool scenes_of_box(const scenes_plan *plan, const char *name, const char *header, scenes_work work);
 
 /* The descriptions that the plan covers, those lit by area lights (NAME_area.json) or the others:
  * paths, free with base_list_free. */

@@ -133,28 +133,18 @@ static bool one_pipeline(const scenes_plan *plan, const render_scene *scene,
     return good;
 }
 
+static bool all_pipelines(const scenes_plan *plan, const render_scene *scene, FILE *out)
+{
+    bool good = true;
+    for (size_t i = 0; render_pipelines[i] && good; i++)
+        if (render_pipelines[i]->profile)
+            good = one_pipeline(plan, scene, render_pipelines[i], out);
+    return good;
+}
+
 bool scenes_choice(const scenes_plan *plan)
 {
-    render_scene scene;
-    char *path = render_scene_default(), *csv = base_join(plan->out, "choice.csv");
-    base_output output;
-    bool good = render_scene_read(path, plan->folder, &scene);
-    if (good && !base_output_open(&output, csv)) {
-        render_scene_free(&scene);
-        good = false;
-    } else if (good) {
-        fputs("scene,pipeline,max_rmse,method,instructions,rmse,largest_change_of_255\n",
-              output.stream);
-        for (size_t i = 0; render_pipelines[i] && good; i++)
-            if (render_pipelines[i]->profile)
-                good = one_pipeline(plan, &scene, render_pipelines[i], output.stream);
-        render_scene_free(&scene);
-        if (good)
-            good = base_output_close(&output);
-        else
-            base_output_discard(&output);
-    }
-    free(path);
-    free(csv);
-    return good;
+    return scenes_of_box(plan, "choice.csv",
+                         "scene,pipeline,max_rmse,method,instructions,rmse,largest_change_of_255\n",
+                         all_pipelines);
 }

@@ -40,6 +40,29 @@ bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *coun
     return good;
 }
 
+bool scenes_of_box(const scenes_plan *plan, const char *name, const char *header, scenes_work work)
+{
+    render_scene scene;
+    char *path = render_scene_default(), *csv = base_join(plan->out, name);
+    bool good = render_scene_read(path, plan->folder, &scene);
+    if (good) {
+        base_output output;
+        good = base_output_open(&output, csv);
+        if (good) {
+            fputs(header, output.stream);
+            good = work(plan, &scene, output.stream);
+            if (good)
+                good = base_output_close(&output);
+            else
+                base_output_discard(&output);
+        }
+        render_scene_free(&scene);
+    }
+    free(path);
+    free(csv);
+    return good;
+}
+
 static bool folder_is_there(const char *folder)
 {
     char **names;

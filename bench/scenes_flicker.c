@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/buffer.h"
-#include "base/file.h"
 #include "base/progress.h"
 #include "base/text.h"
 #include "scenes.h"
@@ -29,7 +28,6 @@ typedef struct film {
     int frame;
     size_t at;   /* pipeline that comes next */
     double mean; /* of the truth in this frame */
-    const float *truth[3];
 } film;
 
 static double mean_of(const float *truth)
@@ -145,29 +143,17 @@ static bool shoot(const scenes_plan *plan, const render_scene *base, bool light,
     return good;
 }
 
+static bool both_films(const scenes_plan *plan, const render_scene *scene, FILE *out)
+{
+    base_progress *progress =
+        base_progress_begin("flicker", 2 * (plan->quick ? QUICK_FRAMES : FRAMES));
+    bool good = shoot(plan, scene, false, out, progress) && shoot(plan, scene, true, out, progress);
+    base_progress_end(progress);
+    return good;
+}
+
 bool scenes_flicker(const scenes_plan *plan)
 {
-    render_scene scene;
-    char *path = render_scene_default(), *csv = base_join(plan->out, "flicker.csv");
-    base_output output;
-    bool good = render_scene_read(path, plan->folder, &scene);
-    if (good && !base_output_open(&output, csv)) {
-        render_scene_free(&scene);
-        good = false;
-    } else if (good) {
-        base_progress *progress =
-            base_progress_begin("flicker", 2 * (plan->quick ? QUICK_FRAMES : FRAMES));
-        fputs("moving,pipeline,own_rms,ratio_to_truth\n", output.stream);
-        good = shoot(plan, &scene, false, output.stream, progress) &&
-               shoot(plan, &scene, true, output.stream, progress);
-        base_progress_end(progress);
-        render_scene_free(&scene);
-        if (good)
-            good = base_output_close(&output);
-        else
-            base_output_discard(&output);
-    }
-    free(path);
-    free(csv);
-    return good;
+    return scenes_of_box(plan, "flicker.csv", "moving,pipeline,own_rms,ratio_to_truth\n",
+                         both_films);
 }

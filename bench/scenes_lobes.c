@@ -8,6 +8,7 @@
 
 #include "base/buffer.h"
 #include "base/file.h"
+#include "base/order.h"
 #include "base/png.h"
 #include "base/progress.h"
 #include "base/text.h"
@@ -116,12 +117,6 @@ static bool make_truth(stage *s)
 /* ---- A method's picture ------------------------------------------------------------------------
  */
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Symmetric mean absolute percentage error of a pixel's luminance, 0 to 1. */
 static double smape(const float *light, const float *truth)
 {
@@ -154,7 +149,7 @@ static outcome compare(const stage *s, float *errors)
         o.largest = isnan(off) ? (double)INFINITY : fmax(o.largest, off);
     }
     if (count) {
-        qsort(sorted, count, sizeof *sorted, ascending);
+        base_sort(sorted, count);
         o.smape /= (double)count;
         o.smape_p99 = sorted[(size_t)(0.99 * (double)(count - 1))];
         o.largest /= mean / (double)count;
@@ -178,8 +173,7 @@ static bool run_method(stage *s, const char *method, double *ms)
     gpu_compute_destroy(compute);
     if (!good)
         return false;
-    qsort(times, RUNS, sizeof *times, ascending);
-    *ms = 1e3 * times[RUNS / 2];
+    *ms = 1e3 * base_median(times, RUNS);
     return gpu_image_read(s->frame.light, s->light) == GPU_OK || failed(s, method);
 }
 
@@ -276,29 +270,19 @@ static bool one_figure(const scenes_plan *plan, const render_scene *scene, const
     return good;
 }
 
+static bool both_figures(const scenes_plan *plan, const render_scene *scene, FILE *out)
+{
+    base_progress *progress = base_progress_begin("lobes", 2 * sg_method_count());
+    bool good = one_figure(plan, scene, "sharp", true, out, progress) &&
+                one_figure(plan, scene, "reflected", false, out, progress);
+    base_progress_end(progress);
+    return good;
+}
+
 bool scenes_lobes(const scenes_plan *plan)
 {
-    render_scene scene;
-    char *path = render_scene_default(), *csv = base_join(plan->out, "lobes.csv");
-    base_output output;
-    bool good = render_scene_read(path, plan->folder, &scene);
-    free(path);
-    if (good && !base_output_open(&output, csv)) {
-        render_scene_free(&scene);
-        good = false;
-    } else if (good) {
-        base_progress *progress = base_progress_begin("lobes", 2 * sg_method_count());
-        fputs("figure,method,variant,smape,smape_p99,largest_error,black_pixels,time_ratio\n",
-              output.stream);
-        good = one_figure(plan, &scene, "sharp", true, output.stream, progress) &&
-               one_figure(plan, &scene, "reflected", false, output.stream, progress);
-        base_progress_end(progress);
-        render_scene_free(&scene);
-        if (good)
-            good = base_output_close(&output);
-        else
-            base_output_discard(&output);
-    }
-    free(csv);
-    return good;
+    return scenes_of_box(
+        plan, "lobes.csv",
+        "figure,method,variant,smape,smape_p99,largest_error,black_pixels,time_ratio\n",
+        both_figures);
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/buffer.h"
+#include "base/order.h"
 #include "base/text.h"
 #include "scenes.h"
 
@@ -23,18 +24,6 @@ static bool failed(const scenes_view *view, const char *id)
     base_error("%s at %ux%u, pipeline %s: %s", view->name, view->width, view->height, id,
                gpu_last_error());
     return false;
-}
-
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *values, int count)
-{
-    qsort(values, (size_t)count, sizeof *values, ascending);
-    return values[count / 2];
 }
 
 /* Of the passes that every pipeline shares, or of its own. */
@@ -86,7 +75,7 @@ static double jump_p99(const scenes_view *view, const float *light, const float 
         jumps[count++] = fabs(signed_error(light + 4 * i + 4, truth + 4 * i + 4, mean) -
                               signed_error(light + 4 * i, truth + 4 * i, mean));
     }
-    qsort(jumps, count, sizeof *jumps, ascending);
+    base_sort(jumps, count);
     double found = count ? jumps[(size_t)(0.99 * (double)(count - 1))] : 0.0;
     free(jumps);
     return found;
@@ -139,7 +128,7 @@ static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, siz
                 good = look_at(frame, view, &jobs[i], light, truth, errors, look, context);
         }
     for (size_t i = 0; i < count && good; i++) {
-        jobs[i].row.lighting_ms = median(jobs[i].ms, i == 0 ? truth_runs : runs);
+        jobs[i].row.lighting_ms = base_median(jobs[i].ms, (size_t)(i == 0 ? truth_runs : runs));
         jobs[i].row.truth_ms = jobs[0].row.lighting_ms;
     }
     free(truth);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/buffer.h"
+#include "base/order.h"
 
 gpu_status gbuffer_create(gpu_device *device, uint32_t width, uint32_t height, gbuffer *images)
 {
@@ -140,7 +141,7 @@ gpu_status geometry_draw(const geometry *geometry, gpu_buffer *view, const gbuff
     gpu_status status = GPU_OK;
     for (int run = runs > 1 ? -1 : 0; status == GPU_OK && run < runs; run++)
         status = gpu_run(geometry->device, &step, 1, &times[run < 0 ? 0 : run]);
-    *ms = 1e3 * median(times, runs);
+    *ms = 1e3 * base_median(times, (size_t)runs);
     free(times);
     return status;
 }

@@ -48,7 +48,6 @@ gpu_status tone_measure(render_frame *frame);
 
 /* run.c */
 void statistics_add_time(render_statistics *statistics, const char *name, double ms);
-double median(double *values, int count); /* sorts them */
 gpu_status resolve_create(render_frame *frame);
 gpu_status resolve_run(render_frame *frame, render_statistics *statistics);
 

@@ -6,21 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/order.h"
 #include "base/progress.h"
 
 enum { COUNTERS = 13 }; /* as shaders/common/counters.glsl numbers them */
-
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-double median(double *values, int count)
-{
-    qsort(values, (size_t)count, sizeof *values, ascending);
-    return 0.5 * (values[(count - 1) / 2] + values[count / 2]);
-}
 
 void statistics_add_time(render_statistics *statistics, const char *name, double ms)
 {
@@ -109,7 +98,7 @@ gpu_status render_run(render_frame *frame, const gpu_step *steps, int count,
             continue;
         for (int run = 0; run < runs; run++)
             column[run] = times[(size_t)run * stride + (size_t)i];
-        statistics_add_time(statistics, steps[i].name, 1e3 * median(column, runs));
+        statistics_add_time(statistics, steps[i].name, 1e3 * base_median(column, (size_t)runs));
     }
     if (status == GPU_OK)
         add_counters(frame, statistics);

@@ -1,0 +1,13 @@
+/* order.h: order statistics of doubles. */
+#ifndef BASE_ORDER_H
+#define BASE_ORDER_H
+
+#include <stddef.h>
+
+/* Sorts from the least to the greatest; no NaN among them. */
+void base_sort(double *values, size_t count);
+
+/* Sorts them; the mean of the two in the middle where count is even. count: at least 1. */
+double base_median(double *values, size_t count);
+
+#endif
