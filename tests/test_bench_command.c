@@ -38,13 +38,15 @@ static double field(const char *path, const char *method, const char *quantity, 
 static void program_writes_the_columns_that_others_rely_on(void **state)
 {
     (void)state;
-    char folder[] = "/tmp/test_bench_XXXXXX";
-    assert_non_null(mkdtemp(folder));
-    const char *arguments[] = {"bench", "--out", folder, "--method", method_id, "--quick", NULL};
+    workspace work;
+    workspace_open(&work);
+    const char *arguments[] = {"bench",   "--out",   work.folder, "--method",
+                               method_id, "--quick", NULL};
     run result = program_run(arguments, NULL);
     if (result.status != 0)
         fail_msg("%s", result.error);
-    char *csv = base_join(folder, "cost.csv"), *json = base_join(folder, "cost.json");
+    char *csv = workspace_file(&work, "cost.csv", NULL);
+    char *json = workspace_file(&work, "cost.json", NULL);
     static const char *const columns[] = {
         "max_abs_f32", "rmse_f32",   "gpu_instructions", "gpu_inverse_throughput",
         "gpu_slope",   "cpu_ns_f32", "cpu_batch_ns_f32", "cpu_batch_ns_f64",
@@ -64,7 +66,7 @@ static void program_writes_the_columns_that_others_rely_on(void **state)
     assert_non_null(strstr(text, "\"compiler\""));
     assert_non_null(strstr(text, "\"lambda\": [0.01, 10000]"));
     free(text);
-    shell("rm -rf '%s'", folder); /* with the page */
+    workspace_close(&work); /* with the page */
     free(csv);
     free(json);
     run_free(&result);
@@ -74,7 +76,7 @@ static void bad_usage_is_one_line(void **state)
 {
     (void)state;
     static const char *const wrong[][6] = {{"bench", NULL},
-                                           {"bench", "--out", "/tmp", "--method", "nothing", NULL},
+                                           {"bench", "--out", ".", "--method", "nothing", NULL},
                                            {"bench", "--wrong", NULL}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         run result = program_run(wrong[i], NULL);

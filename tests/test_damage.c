@@ -15,8 +15,9 @@
 #include "fit/recipe.h"
 #include "mutate.h"
 #include "tables/emit.h"
+#include "workspace.h"
 
-static char folder[] = "/tmp/sgfit-test-damage-XXXXXX";
+static workspace work;
 
 static char *in_tree(const char *name)
 {
@@ -25,7 +26,7 @@ static char *in_tree(const char *name)
 
 static char *in_folder(const char *name)
 {
-    return base_join(folder, name);
+    return workspace_file(&work, name, NULL);
 }
 
 static void copy_folder(const char *from, const char *to, const char *suffix)
@@ -163,8 +164,7 @@ static void damaged_recipes(void **state)
 static int copy_tree(void **state)
 {
     (void)state;
-    if (!mkdtemp(folder))
-        return -1;
+    workspace_open(&work);
     static const char *const copies[][3] = {{"shaders/forms", "forms", ".glsl"},
                                             {"shaders/forms/helpers", "forms/helpers", ".glsl"},
                                             {"tables/constants", "constants", ".json"},
@@ -185,9 +185,8 @@ static int remove_folder(void **state)
     (void)state;
     free(forms_folder);
     free(constants_folder);
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
+    workspace_close(&work);
+    return 0;
 }
 
 int main(void)

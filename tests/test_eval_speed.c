@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "program.h"
+#include "workspace.h"
 
 static const double pi = 3.14159265358979311600;
 
@@ -29,8 +30,11 @@ static void a_million_rows_in_ten_seconds(void **state)
     enum { ROWS = 1000000 };
     const double most = 10.0;
 #endif
-    char path[] = "/tmp/sgfit-test-eval-XXXXXX";
-    FILE *file = fdopen(mkstemp(path), "w");
+    workspace work;
+    workspace_open(&work);
+    char *path = workspace_file(&work, "rows.csv", "");
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
     uint64_t x = 88172645463325252u;
     fprintf(file, "lambda,beta\n");
     for (int i = 0; i < ROWS; i++) {
@@ -52,7 +56,8 @@ static void a_million_rows_in_ten_seconds(void **state)
     run r = RUN(&input, "eval");
     clock_gettime(CLOCK_MONOTONIC, &ended);
     getrusage(RUSAGE_CHILDREN, &after);
-    unlink(path);
+    workspace_close(&work);
+    free(path);
     double seconds =
         (double)(ended.tv_sec - begun.tv_sec) + 1e-9 * (double)(ended.tv_nsec - begun.tv_nsec);
     int lines = 0;

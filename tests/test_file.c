@@ -10,22 +10,15 @@
 
 #include "base/file.h"
 #include "capture.h"
+#include "workspace.h"
 
-static char folder[] = "/tmp/sgfit-test-file-XXXXXX";
-
-static char *in_folder(const char *name, const char *text)
-{
-    char *path = base_join(folder, name);
-    if (text)
-        assert_true(base_write_file(path, text, strlen(text)));
-    return path;
-}
+static workspace work;
 
 static void assert_only_file(const char *name)
 {
     char **names;
     size_t count;
-    assert_true(base_list(folder, "", &names, &count));
+    assert_true(base_list(work.folder, "", &names, &count));
     for (size_t i = 0; i < count; i++)
         assert_null(strstr(names[i], ".part"));
     bool found = false;
@@ -38,7 +31,7 @@ static void assert_only_file(const char *name)
 static void a_discarded_output_leaves_what_was_there(void **state)
 {
     (void)state;
-    char *path = in_folder("kept.txt", "before");
+    char *path = workspace_file(&work, "kept.txt", "before");
     base_output output;
     assert_true(base_output_open(&output, path));
     fputs("half of ", output.stream);
@@ -59,7 +52,8 @@ static void a_discarded_output_leaves_what_was_there(void **state)
 static void a_link_and_a_device_stay_what_they_are(void **state)
 {
     (void)state;
-    char *path = in_folder("target.txt", "before"), *link = in_folder("link.txt", NULL);
+    char *path = workspace_file(&work, "target.txt", "before"),
+         *link = workspace_file(&work, "link.txt", NULL);
     assert_int_equal(symlink("target.txt", link), 0);
     assert_true(base_write_file(link, "after", 5));
     struct stat status;
@@ -89,14 +83,14 @@ static void what_cannot_be_written_or_read_is_named(void **state)
     assert_one_line(capture_end(&c), "/no/such/folder/x", "No such file");
     assert_false(good);
     capture_begin(&c);
-    good = base_write_file(folder, "x", 1);
-    assert_one_line(capture_end(&c), folder, "directory");
+    good = base_write_file(work.folder, "x", 1);
+    assert_one_line(capture_end(&c), work.folder, "directory");
     assert_false(good);
     capture_begin(&c);
-    char *text = base_read_file(folder, NULL);
-    assert_one_line(capture_end(&c), folder, "directory");
+    char *text = base_read_file(work.folder, NULL);
+    assert_one_line(capture_end(&c), work.folder, "directory");
     assert_null(text);
-    char *path = in_folder("file", "x"), *below = base_join(path, "below");
+    char *path = workspace_file(&work, "file", "x"), *below = base_join(path, "below");
     capture_begin(&c);
     good = base_make_directory(below);
     assert_one_line(capture_end(&c), below, "Not a directory");
@@ -108,7 +102,7 @@ static void what_cannot_be_written_or_read_is_named(void **state)
 static void folders_are_made_and_listed_in_order(void **state)
 {
     (void)state;
-    char *deep = base_join(folder, "one//two/three/");
+    char *deep = base_join(work.folder, "one//two/three/");
     assert_true(base_make_directory(deep));
     assert_true(base_make_directory(deep));
     const char *names_made[] = {"b.json", "a.json", "B.json", "a.txt", ".hidden.json"};
@@ -131,15 +125,15 @@ static void folders_are_made_and_listed_in_order(void **state)
 static int make_folder(void **state)
 {
     (void)state;
-    return mkdtemp(folder) ? 0 : -1;
+    workspace_open(&work);
+    return 0;
 }
 
 static int remove_folder(void **state)
 {
     (void)state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
+    workspace_close(&work);
+    return 0;
 }
 
 int main(void)

@@ -10,8 +10,9 @@
 #include "base/file.h"
 #include "capture.h"
 #include "program.h"
+#include "workspace.h"
 
-static char folder[] = "/tmp/sgfit-test-fit-XXXXXX";
+static workspace work;
 
 /* A recipe of the tree with one piece of its text replaced, as a file of the same name. */
 static char *changed_recipe(const char *from, const char *to)
@@ -22,7 +23,7 @@ static char *changed_recipe(const char *from, const char *to)
     char *place = strstr(text, from);
     if (!place)
         fail_msg("the recipe has no \"%s\"", from);
-    char *path = base_join(folder, "meder_2018_t.json");
+    char *path = base_join(work.folder, "meder_2018_t.json");
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "%.*s%s%s", (int)(place - text), text, to, place + strlen(from));
@@ -37,7 +38,7 @@ static char *earlier_constants;
 /* The folder for the constants, which holds one earlier file. */
 static char *make_out(void)
 {
-    char *out = base_join(folder, "out"), *earlier = base_join(out, "meder_2018.json");
+    char *out = base_join(work.folder, "out"), *earlier = base_join(out, "meder_2018.json");
     assert_true(base_make_directory(out));
     assert_true(base_write_file(earlier, earlier_constants, strlen(earlier_constants)));
     free(earlier);
@@ -142,16 +143,16 @@ static int make_folder(void **state)
     char *path = base_join(getenv("SGFIT_ROOT"), "tables/constants/meder_2018.json");
     earlier_constants = base_read_file(path, NULL);
     free(path);
-    return earlier_constants && mkdtemp(folder) ? 0 : -1;
+    workspace_open(&work);
+    return earlier_constants ? 0 : -1;
 }
 
 static int remove_folder(void **state)
 {
     (void)state;
     free(earlier_constants);
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
+    workspace_close(&work);
+    return 0;
 }
 
 int main(void)

@@ -12,16 +12,9 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "capture.h"
+#include "workspace.h"
 
-static char folder[] = "/tmp/sgfit-test-json-XXXXXX";
-
-static char *in_folder(const char *name, const char *text)
-{
-    char *path = base_join(folder, name);
-    if (text)
-        assert_true(base_write_file(path, text, strlen(text)));
-    return path;
-}
+static workspace work;
 
 static void json_numbers_survive_a_round_trip(void **state)
 {
@@ -36,7 +29,7 @@ static void json_numbers_survive_a_round_trip(void **state)
     base_json_add_f64(root, "third", 1.0 / 3.0);
     cJSON_AddStringToObject(root, "text", "a \"quote\",\n\ttab and \x01");
     char *text = base_json_print(root);
-    char *path = in_folder("round.json", text);
+    char *path = workspace_file(&work, "round.json", text);
     cJSON *back = base_json_read(path);
     assert_non_null(back);
     for (int i = 0; i < 5; i++)
@@ -95,7 +88,7 @@ static void bad_json_names_file_and_line(void **state)
                {"{\"a\":\n\n\"x\ny\"}", "line 3"},
                {"[1,\n2", "line 2"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        char *path = in_folder("bad.json", bad[i].text);
+        char *path = workspace_file(&work, "bad.json", bad[i].text);
         capture c;
         capture_begin(&c);
         cJSON *root = base_json_read(path);
@@ -139,15 +132,15 @@ static void json_fields_are_checked(void **state)
 static int make_folder(void **state)
 {
     (void)state;
-    return mkdtemp(folder) ? 0 : -1;
+    workspace_open(&work);
+    return 0;
 }
 
 static int remove_folder(void **state)
 {
     (void)state;
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
+    workspace_close(&work);
+    return 0;
 }
 
 int main(void)

@@ -16,6 +16,7 @@
 #include "capture.h"
 #include "mutate.h"
 #include "program.h"
+#include "workspace.h"
 
 static const char *const csv_seeds[] = {
     "lambda,beta\n1,0.5\n2.5e3,3.14159\n0,0\n",
@@ -85,8 +86,9 @@ static const char json_seed[] =
 static void damaged_json_is_taken_or_told_in_one_line(void **state)
 {
     (void)state;
-    char path[] = "/tmp/sgfit-test-mutation-XXXXXX";
-    close(mkstemp(path));
+    workspace work;
+    workspace_open(&work);
+    char *path = workspace_file(&work, "mutated.json", NULL);
     capture c;
     int taken = 0, refused = 0;
     random_state = 0xd1b54a32d192ed03u;
@@ -117,7 +119,8 @@ static void damaged_json_is_taken_or_told_in_one_line(void **state)
     fflush(stderr);
     int lines = count_lines(c.file);
     capture_end(&c);
-    unlink(path);
+    workspace_close(&work);
+    free(path);
     assert_int_equal(lines, refused);
     assert_true(taken > 50 && refused > 500);
 }
@@ -125,8 +128,9 @@ static void damaged_json_is_taken_or_told_in_one_line(void **state)
 static void deep_json_is_refused(void **state)
 {
     (void)state;
-    char path[] = "/tmp/sgfit-test-mutation-XXXXXX";
-    close(mkstemp(path));
+    workspace work;
+    workspace_open(&work);
+    char *path = workspace_file(&work, "mutated.json", NULL);
     enum { DEPTH = 200000 };
     char *deep = malloc(DEPTH);
     memset(deep, '[', DEPTH);
@@ -139,7 +143,8 @@ static void deep_json_is_refused(void **state)
     cJSON *root = base_json_read(path);
     assert_one_line(capture_end(&c), "line 1");
     assert_null(root);
-    unlink(path);
+    workspace_close(&work);
+    free(path);
 }
 
 static void the_program_takes_damaged_rows_or_tells_one_line(void **state)

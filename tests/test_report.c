@@ -7,7 +7,6 @@
 #include <cmocka.h>
 
 #include <ctype.h>
-#include <ftw.h>
 #include <math.h>
 #include <sys/stat.h>
 
@@ -15,39 +14,32 @@
 #include "base/file.h"
 #include "program.h"
 #include "sg.h"
+#include "workspace.h"
 
-static char folder[] = "/tmp/sgfit_report_XXXXXX";
-static char out[64];
+static workspace work;
+static char out[300];
 static char *page;
-
-static int remove_one(const char *path, const struct stat *about, int type, struct FTW *walk)
-{
-    (void)about;
-    (void)type;
-    (void)walk;
-    return remove(path);
-}
 
 static int tear_down(void **state)
 {
     (void)state;
     free(page);
-    return nftw(folder, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    workspace_close(&work);
+    return 0;
 }
 
 /* The report is written once; the tests look at it. */
 static int set_up(void **state)
 {
     (void)state;
-    if (!mkdtemp(folder))
-        return -1;
-    snprintf(out, sizeof out, "%s/new/report", folder);
+    workspace_open(&work);
+    snprintf(out, sizeof out, "%s/new/report", work.folder);
     run r = program_run((const char *[]){"report", "--out", out, NULL}, NULL);
     if (r.status != 0)
         fprintf(stderr, "status %d: %s", r.status, r.error);
     int status = r.status || r.error[0];
     run_free(&r);
-    char path[128];
+    char path[400];
     snprintf(path, sizeof path, "%s/index.html", out);
     page = status ? NULL : base_read_file(path, &(size_t){0});
     return page ? 0 : -1;
@@ -55,7 +47,7 @@ static int set_up(void **state)
 
 static bool is_there(const char *name, size_t length)
 {
-    char path[256];
+    char path[400];
     struct stat about;
     snprintf(path, sizeof path, "%s/%.*s", out, (int)length, name);
     return stat(path, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 20;
@@ -67,7 +59,7 @@ static void the_csv_has_every_method_in_every_precision(void **state)
     static const char header[] =
         "method,precision,max_abs,max_abs_lambda,max_abs_beta,rmse,max_rel_1e-2,max_rel_1e-4\n";
     static const char *const precisions[] = {"f64", "f32", "f16"};
-    char path[128];
+    char path[400];
     snprintf(path, sizeof path, "%s/accuracy.csv", out);
     char *text = base_read_file(path, &(size_t){0});
     assert_non_null(text);
@@ -198,7 +190,7 @@ static void the_papers_figures_are_drawn(void **state)
         assert_non_null(strstr(page, name));
     }
     /* what is compared in figure 2 is there, under whichever names a form has its constants */
-    char path[128];
+    char path[400];
     snprintf(path, sizeof path, "%s/data/tokuyoshi_2.csv", out);
     char *csv = base_read_file(path, &(size_t){0});
     assert_non_null(csv);

@@ -7,34 +7,28 @@
 
 #include <cmocka.h>
 
-#include <ftw.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "base/file.h"
 #include "program.h"
+#include "workspace.h"
 
-static char folder[] = "/tmp/sgfit_refusals_XXXXXX";
+static workspace work;
 
 static int set_up(void **state)
 {
     (void)state;
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static int remove_one(const char *path, const struct stat *about, int type, struct FTW *walk)
-{
-    (void)about;
-    (void)type;
-    (void)walk;
-    return remove(path);
+    workspace_open(&work);
+    return 0;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    return nftw(folder, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    workspace_close(&work);
+    return 0;
 }
 
 /* One line on standard error, the given status, nothing on standard output. */
@@ -52,8 +46,8 @@ static void assert_refused(const char *const *arguments, int status, const char 
 static void a_folder_that_cannot_be_written_is_named(void **state)
 {
     (void)state;
-    char file[128], below[160];
-    snprintf(file, sizeof file, "%s/a_file", folder);
+    char file[400], below[500];
+    snprintf(file, sizeof file, "%s/a_file", work.folder);
     assert_true(base_write_file(file, "kept", 4));
     snprintf(below, sizeof below, "%s/report", file);
     assert_refused((const char *[]){"report", "--out", below, NULL}, 1, "a_file");
@@ -69,8 +63,8 @@ static void a_folder_that_cannot_be_written_is_named(void **state)
 static void where_the_disk_is_full_an_earlier_report_stays(void **state)
 {
     (void)state;
-    char target[128], path[160];
-    snprintf(target, sizeof target, "%s/full", folder);
+    char target[400], path[500];
+    snprintf(target, sizeof target, "%s/full", work.folder);
     snprintf(path, sizeof path, "%s/accuracy.csv", target);
     assert_true(base_make_directory(target) && base_write_file(path, "kept", 4));
     struct rlimit limit, small;
@@ -92,7 +86,7 @@ static void where_the_disk_is_full_an_earlier_report_stays(void **state)
     free(kept);
     char **names;
     size_t count;
-    char data[160];
+    char data[500];
     snprintf(data, sizeof data, "%s/data", target);
     assert_true(base_list(data, "", &names, &count));
     assert_int_equal(count, 0);
@@ -102,10 +96,10 @@ static void where_the_disk_is_full_an_earlier_report_stays(void **state)
 static void without_gnuplot_nothing_is_written(void **state)
 {
     (void)state;
-    char bare[128];
-    snprintf(bare, sizeof bare, "%s/bare", folder);
+    char bare[400];
+    snprintf(bare, sizeof bare, "%s/bare", work.folder);
     char *path = strdup(getenv("PATH"));
-    setenv("PATH", folder, 1);
+    setenv("PATH", work.folder, 1);
     assert_refused((const char *[]){"report", "--out", bare, NULL}, 1, "gnuplot");
     setenv("PATH", path, 1);
     free(path);

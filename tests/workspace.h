@@ -41,6 +41,14 @@ static inline void workspace_write(workspace *at, const char *name, const char *
     }
 }
 
+/* A path in the folder, to be freed, with a file of that text where text is not NULL. */
+static inline char *workspace_file(workspace *at, const char *name, const char *text)
+{
+    if (text)
+        workspace_write(at, name, text);
+    return strdup(workspace_path(at, name));
+}
+
 /* The whole file as text, NULL where there is none; free() it. */
 static inline char *workspace_read_path(const char *path, size_t *size)
 {
