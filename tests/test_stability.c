@@ -1,5 +1,4 @@
-/* sgfit stability: that planted defects are found, and where; that the methods that promise to be
- * stable are; that its files are what they are said to be. */
+/* sgfit stability: planted defects are found, and where; its files are what they are said to be. */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>
@@ -12,9 +11,6 @@
 
 #include "base/exr.h"
 #include "base/file.h"
-#include "base/progress.h"
-#include "bench/kinks.h"
-#include "bench/smoothness.h"
 #include "bench/stability.h"
 #include "program.h"
 #include "workspace.h"
@@ -208,95 +204,6 @@ static void flushed_denormals_are_found(void **state)
 }
 #endif
 
-/* ---- The contract -----------------------------------------------------------------------------
- */
-
-typedef struct contract {
-    stability_grid *grids[STABILITY_PRECISIONS];
-    stability_table tables[1024];
-    bool good[1024];
-} contract;
-
-static void scan_method(void *context, size_t index)
-{
-    contract *all = context;
-    const sg_method *method = sg_method_at(index / 2);
-    stability_precision precision = index % 2 ? STABILITY_F32 : STABILITY_F64;
-    stability_subject subject;
-    stability_seams seams = {0};
-    all->good[index] = true;
-    if (strcmp(method->variant, "published") == 0)
-        return;
-    stability_seams_in_values(method->L_f64, precision, &seams);
-    all->good[index] = stability_method_subject(method, precision, &subject) &&
-                       stability_scan(&subject, all->grids[precision], &seams, &all->tables[index]);
-    stability_seams_free(&seams);
-}
-
-/* Everything but a published text: no NaN and no infinity, in [0, 1], rounding below 1e-6, NaN for
- * NaN, max(z, 0) at infinity, the same where denormals are flushed. Only the model may be off. */
-static void what_promises_to_be_stable_is(void **state)
-{
-    (void)state;
-    contract *all = calloc(1, sizeof *all);
-    assert_non_null(all);
-    assert_true(2 * sg_method_count() <= sizeof all->tables / sizeof all->tables[0]);
-    for (int p = STABILITY_F64; p <= STABILITY_F32; p++)
-        all->grids[p] = stability_grid_new((stability_precision)p, true);
-    base_parallel(2 * sg_method_count(), scan_method, all);
-    int broken = 0;
-    for (size_t i = 0; i < 2 * sg_method_count(); i++) {
-        assert_true(all->good[i]);
-        for (size_t k = 0; k < all->tables[i].count; k++) {
-            const stability_row *r = &all->tables[i].rows[k];
-            if (strncmp(r->kind, "error", 5) == 0)
-                continue;
-            print_message("%s, %s: %s in [%.9g, %.9g], worst %.9g at (%.9g, %.9g)\n", r->method,
-                          r->precision, r->kind, r->lambda_from, r->lambda_to, r->worst,
-                          r->worst_lambda, r->worst_cos_theta);
-            broken++;
-        }
-        stability_table_free(&all->tables[i]);
-    }
-    for (int p = STABILITY_F64; p <= STABILITY_F32; p++)
-        stability_grid_free(all->grids[p]);
-    free(all);
-    assert_int_equal(broken, 0);
-}
-
-/* ---- Smoothness -------------------------------------------------------------------------------
- */
-
-static double with_a_kink(const void *context, double t)
-{
-    (void)context;
-    return sin(3 * t) + (t > 0.3123 ? 1e-4 * (t - 0.3123) : 0) + (t > 0.7 ? 1e-7 : 0) +
-           (t > -0.4 ? 1e-3 * (t + 0.4) * (t + 0.4) : 0); /* only the curvature jumps there */
-}
-
-static void kinks_and_steps_are_measured(void **state)
-{
-    (void)state;
-    kink found[8];
-    size_t n = kinks_find(with_a_kink, NULL, -1, 1, 513, found, 8);
-    assert_int_equal(n, 2);
-    assert_true(fabs(found[0].at - 0.3123) < 1e-9 && fabs(found[0].slope - 1e-4) < 1e-8);
-    assert_true(found[0].step == 0);
-    assert_true(fabs(found[1].at - 0.7) < 1e-9 && fabs(found[1].step - 1e-7) < 1e-12);
-}
-
-static void smoothness_of_known_methods(void **state)
-{
-    (void)state;
-    smoothness found;
-    smoothness_of(sg_method_find("constant_cosine_stable"), &found); /* max(z, 0) */
-    assert_true(fabs(found.slope_z.amount - 1) < 1e-6 && fabs(found.slope_z.cos_theta) < 1e-6);
-    assert_true(found.slope_lambda.amount == 0 && found.fall.amount == 0);
-    smoothness_of(sg_method_find("tokuyoshi_2024_stable"), &found); /* analytic */
-    assert_true(found.slope_z.amount == 0 && found.slope_lambda.amount == 0);
-    assert_true(found.step.amount == 0);
-}
-
 /* ---- The program ------------------------------------------------------------------------------
  */
 
@@ -357,9 +264,6 @@ int main(void)
 #if defined(__SSE__)
         cmocka_unit_test(flushed_denormals_are_found),
 #endif
-        cmocka_unit_test(what_promises_to_be_stable_is),
-        cmocka_unit_test(kinks_and_steps_are_measured),
-        cmocka_unit_test(smoothness_of_known_methods),
         cmocka_unit_test(the_files_are_as_said),
         cmocka_unit_test(wrong_use_is_one_line),
     };
