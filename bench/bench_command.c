@@ -38,10 +38,12 @@ static bool is_subject(const char *id)
     return sg_method_find(id) != NULL;
 }
 
+#define PART_NAME(NAME) " " #NAME
+
 int bench_command(int argc, char **argv)
 {
     const char *out = NULL, *counts = NULL, *device = "llvmpipe", *only = NULL, *root = NULL,
-               *scenes = NULL, *view = NULL;
+               *scenes = NULL, *view = NULL, *parts = NULL;
     bool quick = false;
     const base_usage usage = {
         "bench", "--out DIR [options]",
@@ -66,6 +68,8 @@ int bench_command(int argc, char **argv)
          NULL},
         {"view", BASE_STRING, &view, "NAME", "with --scenes: those alone whose name begins so",
          NULL},
+        {"part", BASE_STRING, &parts, "NAME[,NAME...]",
+         "with --scenes: these alone:" SCENES_PARTS(PART_NAME), NULL},
         {"quick", BASE_FLAG, &quick, NULL, "fewer samples", NULL}};
     int status =
         base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options, NULL);
@@ -82,9 +86,9 @@ int bench_command(int argc, char **argv)
         return BASE_USAGE;
     }
     if (scenes)
-        return scenes_command(scenes, view, device, out, quick);
-    if (view) {
-        base_error("bench: expected --view only together with --scenes");
+        return scenes_command(&(scenes_request){scenes, view, parts, device, out, quick});
+    if (view || parts) {
+        base_error("bench: expected %s only together with --scenes", view ? "--view" : "--part");
         return BASE_USAGE;
     }
     if (only && !is_subject(only)) {

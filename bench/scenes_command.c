@@ -1,7 +1,10 @@
 /* scenes_command.c: `sgfit bench --scenes`. */
+#define _POSIX_C_SOURCE 200809L
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
+#include <unistd.h>
 
 #include "base/file.h"
 #include "base/options.h"
@@ -73,22 +76,86 @@ static bool folder_is_there(const char *folder)
     return true;
 }
 
-int scenes_command(const char *folder, const char *only, const char *device, const char *out,
-                   bool quick)
+/* ---- Parts ------------------------------------------------------------------------------------
+ */
+
+static const struct {
+    const char *name;
+    bool (*run)(const scenes_plan *plan);
+} parts[] = {
+#define PART(NAME) {#NAME, scenes_##NAME},
+    SCENES_PARTS(PART)
+#undef PART
+};
+enum { PARTS = sizeof parts / sizeof *parts };
+
+static size_t find_part(const char *name, size_t length)
 {
-    scenes_plan plan = {.folder = strcmp(folder, "built-in") == 0 ? NULL : folder,
-                        .out = out,
-                        .quick = quick,
-                        .only = only};
-    if (plan.folder && !folder_is_there(plan.folder))
+    size_t i = 0;
+    while (i < PARTS &&
+           (strlen(parts[i].name) != length || memcmp(parts[i].name, name, length) != 0))
+        i++;
+    return i;
+}
+
+/* wanted: of every part. False after one line that names what is no part. */
+static bool choose_parts(const char *list, bool wanted[PARTS])
+{
+#define NAME(PART) " " #PART
+    static const char names[] = SCENES_PARTS(NAME);
+#undef NAME
+    for (size_t i = 0; i < PARTS; i++)
+        wanted[i] = list == NULL;
+    while (list) {
+        size_t length = strcspn(list, ","), part = find_part(list, length);
+        if (part == PARTS) {
+            base_error("bench: expected --part to name some of%s, with commas between, found "
+                       "\"%.*s\"",
+                       names, (int)length, list);
+            return false;
+        }
+        wanted[part] = true;
+        list = list[length] ? list + length + 1 : NULL;
+    }
+    return true;
+}
+
+/* Each part writes its files when it ends: they stay where a later one fails. */
+static bool run_parts(const scenes_plan *plan, const bool wanted[PARTS])
+{
+    size_t remain = 0;
+    for (size_t i = 0; i < PARTS; i++)
+        remain += wanted[i];
+    bool good = true, shows = isatty(STDERR_FILENO) != 0;
+    for (size_t i = 0; i < PARTS && good; i++) {
+        if (!wanted[i])
+            continue;
+        struct timespec begun, ended;
+        clock_gettime(CLOCK_MONOTONIC, &begun);
+        good = parts[i].run(plan);
+        clock_gettime(CLOCK_MONOTONIC, &ended);
+        remain--;
+        if (good && shows)
+            fprintf(stderr, "%s: done in %ld s; parts that remain: %zu\n", parts[i].name,
+                    (long)(ended.tv_sec - begun.tv_sec), remain);
+    }
+    return good;
+}
+
+int scenes_command(const scenes_request *request)
+{
+    scenes_plan plan = {.folder = strcmp(request->folder, "built-in") == 0 ? NULL : request->folder,
+                        .out = request->out,
+                        .quick = request->quick,
+                        .only = request->only};
+    bool wanted[PARTS];
+    if (!choose_parts(request->parts, wanted) || (plan.folder && !folder_is_there(plan.folder)))
         return BASE_USAGE;
-    if (gpu_device_open(&(gpu_device_options){.device = device}, &plan.device) != GPU_OK) {
+    if (gpu_device_open(&(gpu_device_options){.device = request->device}, &plan.device) != GPU_OK) {
         base_error("bench: %s", gpu_last_error());
         return BASE_FAILED;
     }
-    bool good = base_make_directory(out) && scenes_views(&plan) && scenes_rates(&plan) &&
-                scenes_paper(&plan) && scenes_growth(&plan) && scenes_flicker(&plan) &&
-                scenes_shadows(&plan) && scenes_lobes(&plan) && scenes_choice(&plan);
+    bool good = base_make_directory(plan.out) && run_parts(&plan, wanted);
     gpu_device_close(plan.device);
     return good ? BASE_DONE : BASE_FAILED;
 }

@@ -4,9 +4,21 @@
 
 #include <stdbool.h>
 
-/* folder: of the meshes, or "built-in"; only: names of views that begin so, NULL: all. The exit
- * status, after one line where it is not 0. */
-int scenes_command(const char *folder, const char *only, const char *device, const char *out,
-                   bool quick);
+/* The parts, in the order of their run; X(part) is called with each, whose work is the function
+ * scenes_PART of scenes.h. */
+#define SCENES_PARTS(X)                                                                            \
+    X(views) X(rates) X(paper) X(growth) X(flicker) X(shadows) X(lobes) X(choice)
+
+typedef struct scenes_request {
+    const char *folder; /* of the meshes, or "built-in" */
+    const char *only;   /* names of views that begin so; NULL: all */
+    const char *parts;  /* names with commas between; NULL: all */
+    const char *device; /* part of its name */
+    const char *out;
+    bool quick;
+} scenes_request;
+
+/* The exit status, after one line where it is not 0. */
+int scenes_command(const scenes_request *request);
 
 #endif

@@ -75,8 +75,7 @@ static double jump_p99(const scenes_view *view, const float *light, const float 
         jumps[count++] = fabs(signed_error(light + 4 * i + 4, truth + 4 * i + 4, mean) -
                               signed_error(light + 4 * i, truth + 4 * i, mean));
     }
-    base_sort(jumps, count);
-    double found = count ? jumps[(size_t)(0.99 * (double)(count - 1))] : 0.0;
+    double found = count ? base_select(jumps, count, (size_t)(0.99 * (double)(count - 1))) : 0.0;
     free(jumps);
     return found;
 }

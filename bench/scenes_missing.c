@@ -3,14 +3,9 @@
 #include "base/text.h"
 #include "scenes_command.h"
 
-int scenes_command(const char *folder, const char *only, const char *device, const char *out,
-                   bool quick)
+int scenes_command(const scenes_request *request)
 {
-    (void)folder;
-    (void)only;
-    (void)device;
-    (void)out;
-    (void)quick;
+    (void)request;
     base_error("bench: --scenes needs Vulkan, shaderc and Assimp, which were not there when sgfit "
                "was built");
     return BASE_FAILED;

@@ -149,6 +149,25 @@ static void test_refusals(void **state)
     refused((const char *const[]){"bench", "--out", "x", "--view", "box", NULL}, "--scenes");
     refused((const char *const[]){"bench", "--scenes", "/nowhere/at/all", "--out", "x", NULL},
             "/nowhere/at/all");
+    refused((const char *const[]){"bench", "--scenes", "built-in", "--out", "x", "--part",
+                                  "views,nothing", NULL},
+            "found \"nothing\"");
+    refused((const char *const[]){"bench", "--out", "x", "--part", "views", NULL}, "--part");
+}
+
+static void test_one_part(void **state)
+{
+    (void)state;
+    workspace at;
+    workspace_open(&at);
+    run r = program_run((const char *const[]){"bench", "--scenes", "built-in", "--out", at.folder,
+                                              "--quick", "--part", "choice", NULL},
+                        &(run_options){0});
+    assert_int_equal(r.status, 0);
+    run_free(&r);
+    assert_true(access(workspace_path(&at, "choice.csv"), R_OK) == 0);
+    assert_true(access(workspace_path(&at, "views.csv"), F_OK) != 0);
+    workspace_close(&at);
 }
 
 int main(void)
@@ -158,6 +177,7 @@ int main(void)
         cmocka_unit_test(test_the_files),
         cmocka_unit_test(test_lobes_of_clusters),
         cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_one_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

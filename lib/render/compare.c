@@ -5,23 +5,24 @@
 #include <stdlib.h>
 
 #include "base/buffer.h"
-
-static int ascending(const void *a, const void *b)
-{
-    float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
+#include "base/order.h"
 
 static bool compared(const float *light, const float *truth)
 {
     return truth[3] != 0 && light[3] != -1;
 }
 
-/* The least error that is not below that share of them. */
-static double percentile(const float *sorted, size_t count, double share)
+/* The least error that is not below that share of them. Asked from the greatest share down, each
+ * time of the errors up to the one found before: count is left at that. */
+static double percentile(double *errors, size_t all, size_t *count, double share)
 {
-    size_t rank = (size_t)ceil(share * (double)count);
-    return count ? (double)sorted[rank > 0 ? rank - 1 : 0] : 0;
+    size_t rank = (size_t)ceil(share * (double)all);
+    if (*count == 0)
+        return 0;
+    rank = rank > 0 ? rank - 1 : 0;
+    double found = base_select(errors, *count, rank);
+    *count = rank + 1;
+    return found;
 }
 
 void render_compare(size_t pixels, const float *light, const float *truth, float *errors,
@@ -38,7 +39,7 @@ void render_compare(size_t pixels, const float *light, const float *truth, float
             count++;
         }
     double mean = count ? sum / (3 * (double)count) : 0;
-    float *sorted = base_allocate((count ? count : 1) * sizeof *sorted);
+    double *kept = base_allocate((count ? count : 1) * sizeof *kept);
     size_t at = 0;
     for (size_t i = 0; i < pixels; i++) {
         const float *e = light + 4 * i, *t = truth + 4 * i;
@@ -52,17 +53,16 @@ void render_compare(size_t pixels, const float *light, const float *truth, float
             errors[i] = counts ? (float)error : 0;
         if (!counts)
             continue;
-        sorted[at++] = (float)error;
+        kept[at++] = (double)(float)error;
         squares += error * error;
     }
-    qsort(sorted, count, sizeof *sorted, ascending);
     *result = (render_comparison){
         .rel = count ? sqrt(squares / (double)count) : 0,
-        .p50 = percentile(sorted, count, 0.5),
-        .p95 = percentile(sorted, count, 0.95),
-        .p99 = percentile(sorted, count, 0.99),
-        .p999 = percentile(sorted, count, 0.999),
         .bias = difference != 0 ? difference / sum : 0,
     };
-    free(sorted);
+    result->p999 = percentile(kept, count, &at, 0.999);
+    result->p99 = percentile(kept, count, &at, 0.99);
+    result->p95 = percentile(kept, count, &at, 0.95);
+    result->p50 = percentile(kept, count, &at, 0.5);
+    free(kept);
 }
