@@ -13,28 +13,19 @@
 #include "chart.h"
 #include "program.h"
 #include "report.h"
-#include "workspace.h"
-
-static workspace at;
+#include "work.h"
 
 static int set_up(void **state)
 {
     (void)state;
     base_set_source_root(getenv("SGFIT_ROOT"));
-    workspace_open(&at);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    workspace_close(&at);
+    workspace_open(&work);
     return 0;
 }
 
 static char *read_there(const char *name)
 {
-    char *text = base_read_file(workspace_path(&at, name), NULL);
+    char *text = base_read_file(workspace_path(&work, name), NULL);
     assert_non_null(text);
     return text;
 }
@@ -48,7 +39,7 @@ static char *committed_page(void)
     report report = {.page = page_new("chart", "a test")};
     page_section(report.page, "cost", "cost");
     assert_true(report_cost(&report));
-    assert_true(page_write(report.page, at.folder, "index.html"));
+    assert_true(page_write(report.page, work.folder, "index.html"));
     page_free(report.page);
     return text = read_there("index.html");
 }
@@ -181,7 +172,7 @@ static void bench_writes_its_page_whole(void **state)
 {
     (void)state;
     char folder[300];
-    snprintf(folder, sizeof folder, "%s/bench", at.folder);
+    snprintf(folder, sizeof folder, "%s/bench", work.folder);
     run r = RUN(NULL, "bench", "--out", folder, "--method", "quick", "--quick");
     if (r.status != 0)
         fail_msg("%s", r.error);
@@ -214,15 +205,15 @@ static void bench_writes_its_page_whole(void **state)
 static void the_report_takes_times_from_a_run(void **state)
 {
     (void)state;
-    workspace_write(&at, "cost.csv",
+    workspace_write(&work, "cost.csv",
                     "method,quantity,max_abs_f32,gpu_instructions,cpu_batch_ns_f32,device_ratio\n"
                     "quick,L,0.5,999,1.25,2.5\nquick,A_h,0.5,999,77,78\nunknown,L,1,1,1,1\n");
-    report report = {.page = page_new("chart", "a test"), .bench = at.folder};
+    report report = {.page = page_new("chart", "a test"), .bench = work.folder};
     page_section(report.page, "cost", "cost");
     assert_true(report_cost(&report));
     FILE *out = page_html(report.page);
     fflush(out);
-    assert_true(page_write(report.page, at.folder, "timed.html"));
+    assert_true(page_write(report.page, work.folder, "timed.html"));
     page_free(report.page);
     char *page = read_there("timed.html");
     cJSON *root = embedded(page);
@@ -246,5 +237,5 @@ int main(void)
         cmocka_unit_test(bench_writes_its_page_whole),
         cmocka_unit_test(the_report_takes_times_from_a_run),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up, close_work);
 }

@@ -15,9 +15,7 @@
 #include "fit/recipe.h"
 #include "mutate.h"
 #include "tables/emit.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 static char *in_tree(const char *name)
 {

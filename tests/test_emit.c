@@ -17,9 +17,7 @@
 #include "emit_sources.h"
 #include "program.h"
 #include "sg.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 static char *read_both(const char *name, char **committed, size_t *size, size_t *committed_size)
 {
@@ -159,20 +157,6 @@ static void test_a_method_more(void **state)
                      0);
 }
 
-static int open_workspace(void **state)
-{
-    (void)state;
-    workspace_open(&work);
-    return 0;
-}
-
-static int close_workspace(void **state)
-{
-    (void)state;
-    workspace_close(&work);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -180,5 +164,5 @@ int main(void)
         cmocka_unit_test(test_tables_equal_what_is_committed),
         cmocka_unit_test(test_a_method_more),
     };
-    return cmocka_run_group_tests(tests, open_workspace, close_workspace);
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -14,9 +14,7 @@
 #include "capture.h"
 #include "emit_sources.h"
 #include "program.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 static void refused(const char *file, const char *text, const char *place, const char *expected)
 {
@@ -190,13 +188,6 @@ static int open_workspace(void **state)
     return 0;
 }
 
-static int close_workspace(void **state)
-{
-    (void)state;
-    workspace_close(&work);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -206,5 +197,5 @@ int main(void)
         cmocka_unit_test(test_bad_arguments_are_refused),
         cmocka_unit_test(test_failed_writes),
     };
-    return cmocka_run_group_tests(tests, open_workspace, close_workspace);
+    return cmocka_run_group_tests(tests, open_workspace, close_work);
 }

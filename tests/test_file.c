@@ -10,9 +10,7 @@
 
 #include "base/file.h"
 #include "capture.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 static void assert_only_file(const char *name)
 {
@@ -122,20 +120,6 @@ static void folders_are_made_and_listed_in_order(void **state)
     free(deep);
 }
 
-static int make_folder(void **state)
-{
-    (void)state;
-    workspace_open(&work);
-    return 0;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    workspace_close(&work);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -144,5 +128,5 @@ int main(void)
         cmocka_unit_test(what_cannot_be_written_or_read_is_named),
         cmocka_unit_test(folders_are_made_and_listed_in_order),
     };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -10,9 +10,7 @@
 #include "base/file.h"
 #include "capture.h"
 #include "program.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 /* A recipe of the tree with one piece of its text replaced, as a file of the same name. */
 static char *changed_recipe(const char *from, const char *to)

@@ -12,9 +12,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "capture.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 static void json_numbers_survive_a_round_trip(void **state)
 {
@@ -129,20 +127,6 @@ static void json_fields_are_checked(void **state)
     cJSON_Delete(root);
 }
 
-static int make_folder(void **state)
-{
-    (void)state;
-    workspace_open(&work);
-    return 0;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    workspace_close(&work);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -152,5 +136,5 @@ int main(void)
         cmocka_unit_test(bad_json_names_file_and_line),
         cmocka_unit_test(json_fields_are_checked),
     };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -17,9 +17,7 @@
 #include "mesh_files.h"
 #include "mutate.h"
 #include "render/mesh.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 static void write_bytes(const char *name, const void *bytes, size_t size)
 {
@@ -285,8 +283,5 @@ int main(void)
         cmocka_unit_test(test_formats), cmocka_unit_test(test_nodes),
         cmocka_unit_test(test_albedos), cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_limits),  cmocka_unit_test(test_damage)};
-    workspace_open(&work);
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    workspace_close(&work);
-    return failed;
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

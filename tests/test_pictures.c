@@ -13,9 +13,7 @@
 #include "base/exr.h"
 #include "base/png.h"
 #include "capture.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 enum { WIDTH = 33, HEIGHT = 17, PIXELS = WIDTH * HEIGHT };
 
@@ -137,8 +135,5 @@ int main(void)
         cmocka_unit_test(test_named_channels), cmocka_unit_test(test_missing_channel),
         cmocka_unit_test(test_duplicate_channel), cmocka_unit_test(test_png),
         cmocka_unit_test(test_unwritable)};
-    workspace_open(&work);
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    workspace_close(&work);
-    return failed;
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -14,9 +14,8 @@
 #include "base/file.h"
 #include "program.h"
 #include "sg.h"
-#include "workspace.h"
+#include "work.h"
 
-static workspace work;
 static char out[300];
 static char *page;
 

@@ -9,28 +9,19 @@
 #include "base/file.h"
 #include "program.h"
 #include "report.h"
-#include "workspace.h"
-
-static workspace at;
+#include "work.h"
 
 static int set_up(void **state)
 {
     (void)state;
     base_set_source_root(getenv("SGFIT_ROOT"));
-    workspace_open(&at);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    workspace_close(&at);
+    workspace_open(&work);
     return 0;
 }
 
 static char *read_there(const char *name)
 {
-    char *text = base_read_file(workspace_path(&at, name), NULL);
+    char *text = base_read_file(workspace_path(&work, name), NULL);
     assert_non_null(text);
     return text;
 }
@@ -39,19 +30,19 @@ static void failures_and_maps_are_in_the_report(void **state)
 {
     (void)state;
     workspace_write(
-        &at, "failures.csv",
+        &work, "failures.csv",
         "method,precision,kind,lambda_from,lambda_to,worst,worst_lambda,worst_cos_theta\n"
         "meder_2018,f32,nan,1.5e20,inf,nan,1e21,0.5\n"
         "meder_2018_stable,f16,error_1e-2,3,4,0.02,3.5,-1\n");
-    assert_true(base_make_directory(workspace_path(&at, "maps")));
-    workspace_write(&at, "maps/meder_2018_f32.png", "abcd");
+    assert_true(base_make_directory(workspace_path(&work, "maps")));
+    workspace_write(&work, "maps/meder_2018_f32.png", "abcd");
     report report = {.page = page_new("failures", "a test"),
                      .methods = sg_method_count(),
-                     .stability = at.folder};
+                     .stability = work.folder};
     assert_true(report_has_stability(&report));
     page_section(report.page, "stability", "stability");
     assert_true(report_stability(&report));
-    assert_true(page_write(report.page, at.folder, "failures.html"));
+    assert_true(page_write(report.page, work.folder, "failures.html"));
     page_free(report.page);
     char *page = read_there("failures.html");
     assert_non_null(strstr(page, "NaN <small>λ from 1.50e20</small>"));
@@ -64,7 +55,7 @@ static void failures_and_maps_are_in_the_report(void **state)
         assert_non_null(row = strstr(row + 1, ">none<"));
     free(page);
     /* a file that is something else is refused */
-    workspace_write(&at, "failures.csv", "method,precision\nx,y\n");
+    workspace_write(&work, "failures.csv", "method,precision\nx,y\n");
     report.page = page_new("failures", "a test");
     page_section(report.page, "stability", "stability");
     assert_false(report_stability(&report));
@@ -78,9 +69,9 @@ static void readme_has_the_current_figures(void **state)
     free(path);
     assert_non_null(now);
     assert_non_null(strstr(now, "](tables/out/chart.svg)"));
-    workspace_write(&at, "README.md", now);
+    workspace_write(&work, "README.md", now);
     char copy[300];
-    snprintf(copy, sizeof copy, "%s/README.md", at.folder);
+    snprintf(copy, sizeof copy, "%s/README.md", work.folder);
     run r = RUN(NULL, "report", "--readme", copy);
     assert_int_equal(r.status, 0);
     run_free(&r);
@@ -91,14 +82,14 @@ static void readme_has_the_current_figures(void **state)
     assert_true(from && to);
     size_t line = strcspn(from, "\n") + 1;
     memmove(from + line, to, strlen(to) + 1);
-    workspace_write(&at, "README.md", now);
+    workspace_write(&work, "README.md", now);
     r = RUN(NULL, "report", "--readme", copy);
     assert_int_equal(r.status, 0);
     run_free(&r);
     char *again = read_there("README.md"), *picture_again = read_there("tables/out/chart.svg");
     assert_string_equal(again, written);
     assert_string_equal(picture_again, picture);
-    workspace_write(&at, "README.md", "no figures here\n");
+    workspace_write(&work, "README.md", "no figures here\n");
     r = RUN(NULL, "report", "--readme", copy);
     assert_int_equal(r.status, 1);
     assert_non_null(strstr(r.error, "README.md: expected the lines"));
@@ -116,5 +107,5 @@ int main(void)
         cmocka_unit_test(failures_and_maps_are_in_the_report),
         cmocka_unit_test(readme_has_the_current_figures),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up, close_work);
 }

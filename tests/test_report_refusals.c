@@ -13,23 +13,7 @@
 
 #include "base/file.h"
 #include "program.h"
-#include "workspace.h"
-
-static workspace work;
-
-static int set_up(void **state)
-{
-    (void)state;
-    workspace_open(&work);
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    workspace_close(&work);
-    return 0;
-}
+#include "work.h"
 
 /* One line on standard error, the given status, nothing on standard output. */
 static void assert_refused(const char *const *arguments, int status, const char *names)
@@ -115,5 +99,5 @@ int main(void)
         cmocka_unit_test(where_the_disk_is_full_an_earlier_report_stays),
         cmocka_unit_test(without_gnuplot_nothing_is_written),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -13,9 +13,7 @@
 #include "capture.h"
 #include "mesh_files.h"
 #include "render/scene.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 static render_scene read_text(const char *text)
 {
@@ -276,8 +274,5 @@ int main(void)
         cmocka_unit_test(test_smooth_normals), cmocka_unit_test(test_dropped),
         cmocka_unit_test(test_defaults),       cmocka_unit_test(test_lights),
         cmocka_unit_test(test_camera_matrix),  cmocka_unit_test(test_built_in)};
-    workspace_open(&work);
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    workspace_close(&work);
-    return failed;
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

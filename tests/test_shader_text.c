@@ -14,9 +14,7 @@
 
 #include "program.h"
 #include "sg.h"
-#include "workspace.h"
-
-static workspace work;
+#include "work.h"
 
 typedef struct target {
     const char *name, *head, *output, *option;
@@ -218,13 +216,6 @@ static int open_workspace(void **state)
     return shell("glslangValidator --version >/dev/null");
 }
 
-static int close_workspace(void **state)
-{
-    (void)state;
-    workspace_close(&work);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,5 +226,5 @@ int main(void)
         cmocka_unit_test(test_nothing_to_trip_over),
         cmocka_unit_test(test_every_method_states_its_error_and_source),
     };
-    return cmocka_run_group_tests(tests, open_workspace, close_workspace);
+    return cmocka_run_group_tests(tests, open_workspace, close_work);
 }
