@@ -31,6 +31,27 @@ typedef struct scenes_table {
     size_t count;
 } scenes_table;
 
+/* A pipeline with settings of its own, beside those that have an id. */
+typedef struct scenes_variant {
+    char id[SCENES_NAME];
+    const render_pipeline *like; /* runs and destroys it */
+    gpu_status (*create)(render_frame *frame, const void *settings, void **state);
+    const void *settings;
+} scenes_variant;
+
+/* Pipelines that have run on the device: its driver has compiled their shaders. */
+typedef struct scenes_warmth {
+    const render_pipeline *of[64];
+    size_t count;
+} scenes_warmth;
+
+/* What the truth of a view was, so that it is rendered once where the view is measured again. Start
+ * with zeros. */
+typedef struct scenes_truth {
+    scenes_row row;
+    float *light; /* free() it; NULL: not yet known */
+} scenes_truth;
+
 /* A view: a scene at a size. */
 typedef struct scenes_view {
     gpu_device *device;
@@ -43,16 +64,20 @@ typedef struct scenes_view {
     /* Interleaved: every pipeline once, then every pipeline again; 0: once, and times mean nothing
      */
     int runs;
-    bool truth_once; /* `exact`, which takes long, only in the first of them */
+    bool truth_once;     /* `exact`, which takes long, only in the first of them */
+    scenes_warmth *warm; /* those in it need no run before the first that counts; NULL: all do */
+    scenes_truth *known; /* of this view: used, or filled where it is empty; NULL: rendered */
+    const scenes_variant *variants; /* after the pipelines */
+    size_t variant_count;
 } scenes_view;
 
-/* Called once a pipeline, the truth first, with what it made: 4 floats a pixel. The frame holds the
- * pipeline's light and image. False ends the measuring. */
+/* Called once a pipeline, the truth first unless it was known, with what it made: 4 floats a pixel.
+ * The frame holds the pipeline's light and image. False ends the measuring. */
 typedef bool (*scenes_look)(void *context, render_frame *frame, const scenes_row *row,
                             const float *light, const float *truth, const float *errors);
 
-/* Adds a row for the truth and one for each of the pipelines (ids, NULL-ended). look may be NULL.
- * False after one line. */
+/* Adds a row for the truth and one for each of the pipelines (ids, NULL-ended) and variants. look
+ * may be NULL. False after one line. */
 bool scenes_measure(const scenes_view *view, const char *const *pipelines, scenes_look look,
                     void *context, scenes_table *table);
 
@@ -81,6 +106,7 @@ typedef struct scenes_plan {
     const char *out;
     bool quick;
     const char *only; /* names of scenes that begin so; NULL: all */
+    scenes_warmth *warm;
 } scenes_plan;
 
 /* Every view, size and kind of normals by every pipeline: views.csv, passes.csv, pictures/. */

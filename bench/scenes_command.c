@@ -144,10 +144,12 @@ static bool run_parts(const scenes_plan *plan, const bool wanted[PARTS])
 
 int scenes_command(const scenes_request *request)
 {
+    scenes_warmth warm = {.count = 0};
     scenes_plan plan = {.folder = strcmp(request->folder, "built-in") == 0 ? NULL : request->folder,
                         .out = request->out,
                         .quick = request->quick,
-                        .only = request->only};
+                        .only = request->only,
+                        .warm = &warm};
     bool wanted[PARTS];
     if (!choose_parts(request->parts, wanted) || (plan.folder && !folder_is_there(plan.folder)))
         return BASE_USAGE;

@@ -129,8 +129,11 @@ static bool shoot(const scenes_plan *plan, const render_scene *base, bool light,
         pose(&scene, base, f.frame, frames, light);
         f.at = 0;
         scenes_table_free(&table);
-        scenes_view view = {plan->device, &scene, base->name, WIDTH, HEIGHT,
-                            false,        NULL,   NULL,       0,     true};
+        scenes_view view = {.device = plan->device,
+                            .scene = &scene,
+                            .name = base->name,
+                            .width = WIDTH,
+                            .height = HEIGHT};
         good = scenes_measure(&view, pipelines, look, &f, &table);
         base_progress_step(progress, light ? "moving light" : "moving camera");
     }

@@ -75,16 +75,14 @@ static bool measure(const scenes_plan *plan, const render_scene *scene, const ch
                     double amount, series *to)
 {
     size_t before = to->table.count;
-    scenes_view view = {plan->device,
-                        scene,
-                        scene->name,
-                        plan->quick ? 640 : 1280,
-                        plan->quick ? 360 : 720,
-                        false,
-                        NULL,
-                        NULL,
-                        3,
-                        true};
+    scenes_view view = {.device = plan->device,
+                        .scene = scene,
+                        .name = scene->name,
+                        .width = plan->quick ? 640 : 1280,
+                        .height = plan->quick ? 360 : 720,
+                        .runs = 3,
+                        .truth_once = true,
+                        .warm = plan->warm};
     if (!scenes_measure(&view, pipelines, NULL, NULL, &to->table))
         return false;
     to->steps[to->count++] = (growth){kind, amount, before, to->table.count - before};

@@ -103,6 +103,52 @@ static bool keep_truth(render_frame *frame, const scenes_view *view, float *trut
     return gpu_image_read(frame->light, truth) == GPU_OK || failed(view, "truth");
 }
 
+static bool is_warm(const scenes_warmth *warm, const render_pipeline *pipeline)
+{
+    for (size_t i = 0; warm && i < warm->count; i++)
+        if (warm->of[i] == pipeline)
+            return true;
+    return false;
+}
+
+/* A driver compiles at the first use: a round that does not count. */
+static bool warm_up(render_frame *frame, const scenes_view *view, job *jobs, size_t first,
+                    size_t count)
+{
+    scenes_warmth *warm = view->warm;
+    for (size_t i = first; i < count; i++) {
+        const render_pipeline *pipeline = jobs[i].pipeline;
+        if (is_warm(warm, pipeline))
+            continue;
+        if (!run_once(frame, view, &jobs[i], 0))
+            return false;
+        if (warm && warm->count < sizeof warm->of / sizeof *warm->of)
+            warm->of[warm->count++] = pipeline;
+    }
+    return true;
+}
+
+/* The truth from a former measurement, as far as there is one: then how many of its runs remain. */
+static int recall_truth(const scenes_view *view, job *truth, float *light)
+{
+    const scenes_truth *known = view->known;
+    if (!known || !known->light)
+        return view->truth_once || view->runs < 1 ? 1 : view->runs;
+    truth->row = known->row;
+    truth->ms[0] = known->row.lighting_ms;
+    memcpy(light, known->light, (size_t)view->width * view->height * 4 * sizeof *light);
+    return 0;
+}
+
+static void remember_truth(const scenes_view *view, const job *truth, const float *light)
+{
+    size_t bytes = (size_t)view->width * view->height * 4 * sizeof *light;
+    if (!view->known || view->known->light)
+        return;
+    view->known->row = truth->row;
+    view->known->light = memcpy(base_allocate(bytes + 1), light, bytes);
+}
+
 /* The first round keeps the truth, the last one looks at each pipeline while the frame holds what
  * it made. */
 static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, size_t count,
@@ -113,11 +159,8 @@ static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, siz
           *light = base_allocate((pixels + 1) * 4 * sizeof *light),
           *errors = base_allocate((pixels + 1) * sizeof *errors);
     int runs = view->runs < 1 ? 1 : view->runs > MOST_RUNS ? MOST_RUNS : view->runs;
-    int truth_runs = view->truth_once ? 1 : runs;
-    bool good = true;
-    /* a driver may compile at the first use: a round that does not count */
-    for (size_t i = truth_runs > 1 ? 0 : 1; i < count && view->runs > 0 && good; i++)
-        good = run_once(frame, view, &jobs[i], 0);
+    int truth_runs = recall_truth(view, &jobs[0], truth);
+    bool good = view->runs < 1 || warm_up(frame, view, jobs, truth_runs > 1 ? 0 : 1, count);
     for (int run = 0; run < runs && good; run++)
         for (size_t i = run < truth_runs ? 0 : 1; i < count && good; i++) {
             good = run_once(frame, view, &jobs[i], run);
@@ -127,13 +170,26 @@ static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, siz
                 good = look_at(frame, view, &jobs[i], light, truth, errors, look, context);
         }
     for (size_t i = 0; i < count && good; i++) {
-        jobs[i].row.lighting_ms = base_median(jobs[i].ms, (size_t)(i == 0 ? truth_runs : runs));
+        size_t count_of = (size_t)(i > 0 ? runs : truth_runs > 0 ? truth_runs : 1);
+        jobs[i].row.lighting_ms = base_median(jobs[i].ms, count_of);
         jobs[i].row.truth_ms = jobs[0].row.lighting_ms;
     }
+    if (good)
+        remember_truth(view, &jobs[0], truth);
     free(truth);
     free(light);
     free(errors);
     return good;
+}
+
+static void name_row(const scenes_view *view, const char *id, scenes_row *row)
+{
+    snprintf(row->scene, sizeof row->scene, "%s", view->name);
+    snprintf(row->pipeline, sizeof row->pipeline, "%s", id);
+    snprintf(row->method, sizeof row->method, "%s", view->method ? view->method : "standard");
+    row->width = view->width;
+    row->height = view->height;
+    row->detailed = view->detailed;
 }
 
 static bool start(render_frame *frame, const scenes_view *view, const char *id, job *j)
@@ -143,14 +199,30 @@ static bool start(render_frame *frame, const scenes_view *view, const char *id, 
         base_error("bench: there is no pipeline \"%s\"", id);
         return false;
     }
-    scenes_row *row = &j->row;
-    snprintf(row->scene, sizeof row->scene, "%s", view->name);
-    snprintf(row->pipeline, sizeof row->pipeline, "%s", id);
-    snprintf(row->method, sizeof row->method, "%s", view->method ? view->method : "standard");
-    row->width = view->width;
-    row->height = view->height;
-    row->detailed = view->detailed;
+    name_row(view, id, &j->row);
     return j->pipeline->create(frame, &j->state) == GPU_OK || failed(view, id);
+}
+
+static bool start_variant(render_frame *frame, const scenes_view *view,
+                          const scenes_variant *variant, job *j)
+{
+    *j = (job){.pipeline = variant->like};
+    name_row(view, variant->id, &j->row);
+    return variant->create(frame, variant->settings, &j->state) == GPU_OK ||
+           failed(view, variant->id);
+}
+
+/* The truth, then the others. */
+static bool start_all(render_frame *frame, const scenes_view *view, const char *truth,
+                      const char *const *pipelines, job *jobs, size_t *count)
+{
+    bool good = start(frame, view, truth, &jobs[(*count)++]);
+    for (; good && *pipelines && *count < MOST_PIPELINES; pipelines++)
+        if (strcmp(*pipelines, truth) != 0 && render_pipeline_find(*pipelines))
+            good = start(frame, view, *pipelines, &jobs[(*count)++]);
+    for (size_t i = 0; good && i < view->variant_count && *count < MOST_PIPELINES; i++)
+        good = start_variant(frame, view, &view->variants[i], &jobs[(*count)++]);
+    return good;
 }
 
 bool scenes_measure(const scenes_view *view, const char *const *pipelines, scenes_look look,
@@ -166,12 +238,9 @@ bool scenes_measure(const scenes_view *view, const char *const *pipelines, scene
     if (render_frame_create(view->device, view->scene, &options, &frame) != GPU_OK)
         return failed(view, truth);
     job *jobs = base_allocate(MOST_PIPELINES * sizeof *jobs);
-    size_t count = 1;
-    bool good = start(&frame, view, truth, &jobs[0]);
-    for (; good && *pipelines && count < MOST_PIPELINES; pipelines++)
-        if (strcmp(*pipelines, truth) != 0 && render_pipeline_find(*pipelines))
-            good = start(&frame, view, *pipelines, &jobs[count++]);
-    good = good && run_all(&frame, view, jobs, count, look, context);
+    size_t count = 0;
+    bool good = start_all(&frame, view, truth, pipelines, jobs, &count) &&
+                run_all(&frame, view, jobs, count, look, context);
     for (size_t i = 0; i < count; i++) {
         if (good)
             add_row(table, &jobs[i].row);

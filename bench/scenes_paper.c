@@ -17,7 +17,6 @@ enum { METHODS = sizeof methods / sizeof *methods };
 
 typedef struct album {
     const char *folder, *method;
-    bool first; /* of this scene: the true picture is written once */
 } album;
 
 static bool write_image(const album *a, render_frame *frame, const scenes_row *row,
@@ -44,7 +43,7 @@ static bool look(void *context, render_frame *frame, const scenes_row *row, cons
     const album *a = context;
     (void)light;
     if (strcmp(row->pipeline, "exact") == 0)
-        return !a->first || write_image(a, frame, row, "truth");
+        return write_image(a, frame, row, "truth");
     char name[3 * SCENES_NAME];
     snprintf(name, sizeof name, "%s_%s_errors.png", row->scene, a->method);
     char *path = base_join(a->folder, name);
@@ -59,13 +58,20 @@ static bool integrals(const scenes_plan *plan, const render_scene *scene, uint32
                       uint32_t height, const char *folder, scenes_table *table)
 {
     static const char *const pipelines[] = {"meder", NULL};
+    scenes_truth truth = {.light = NULL};
     bool good = true;
     for (int i = 0; i < METHODS && good; i++) {
-        album a = {folder, methods[i], i == 0};
-        scenes_view view = {plan->device, scene,      scene->name, width, height,
-                            false,        methods[i], NULL,        1,     true};
+        album a = {folder, methods[i]};
+        scenes_view view = {.device = plan->device,
+                            .scene = scene,
+                            .name = scene->name,
+                            .width = width,
+                            .height = height,
+                            .method = methods[i],
+                            .known = &truth};
         good = scenes_measure(&view, pipelines, look, &a, table);
     }
+    free(truth.light);
     return good;
 }
 

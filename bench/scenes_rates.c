@@ -72,10 +72,13 @@ static bool one_scene(const scenes_plan *plan, const char *path, int size_count,
     bool good = true;
     bool wanted = !plan->folder || paper_ratio(scene.name, 0) > 0.0;
     for (int s = 0; s < size_count && good; s++) {
-        scenes_view view = {plan->device, &scene,      scene.name,
-                            sizes[s][0],  sizes[s][1], false,
-                            NULL,         NULL,        plan->quick ? 1 : s < 2 ? 3 : 2,
-                            false};
+        scenes_view view = {.device = plan->device,
+                            .scene = &scene,
+                            .name = scene.name,
+                            .width = sizes[s][0],
+                            .height = sizes[s][1],
+                            .runs = plan->quick ? 1 : 3,
+                            .warm = plan->warm};
         if (wanted)
             good = scenes_measure(&view, pipelines, NULL, NULL, table);
         base_progress_step(progress, scene.name);

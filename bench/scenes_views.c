@@ -37,8 +37,15 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
         for (int detailed = 0; detailed < 2 && good; detailed++) {
             bool shows = s == 0 && !detailed;
             pipelines_of(shows, ids);
-            scenes_view view = {plan->device,  &scene, scene.name, sizes[s][0],    sizes[s][1],
-                                detailed != 0, NULL,   NULL,       s == 0 ? 3 : 2, true};
+            scenes_view view = {.device = plan->device,
+                                .scene = &scene,
+                                .name = scene.name,
+                                .width = sizes[s][0],
+                                .height = sizes[s][1],
+                                .detailed = detailed != 0,
+                                .runs = 3,
+                                .truth_once = true,
+                                .warm = plan->warm};
             good = scenes_measure(&view, ids, scenes_gallery, shows ? pictures : NULL, table);
             base_progress_step(progress, scene.name);
         }

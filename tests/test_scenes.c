@@ -7,6 +7,7 @@
 #include "bench/scenes_lobes.h"
 #include "gpu_fixture.h"
 #include "program.h"
+#include "render/upsample.h"
 #include "sg.h"
 #include "workspace.h"
 
@@ -43,6 +44,31 @@ static bool see(void *context, render_frame *frame, const scenes_row *row, const
     return true;
 }
 
+static gpu_status create_half(render_frame *frame, const void *settings, void **state)
+{
+    return upsample_create(frame, settings, state);
+}
+
+/* The same view with the truth known: only the others run, a variant among them. */
+static void test_again(scenes_view *view, scenes_table *table)
+{
+    static const char *const pipelines[] = {"upsample2", NULL};
+    static const upsample_settings settings = {.factor = 2, .plane = 1, .power = 1, .least = 2};
+    scenes_variant all_exact = {"all_exact", &upsample2_pipeline, create_half, &settings};
+    scenes_row exact = table->rows[0], half = table->rows[2];
+    seen s = {0};
+    view->variants = &all_exact;
+    view->variant_count = 1;
+    scenes_table_free(table);
+    assert_true(scenes_measure(view, pipelines, see, &s, table));
+    assert_int_equal(table->count, 3);
+    assert_string_equal(s.order, "upsample2 all_exact ");
+    assert_true(table->rows[0].lighting_ms == exact.lighting_ms);
+    assert_true(table->rows[1].error.rel == half.error.rel);
+    assert_true(table->rows[1].truth_ms == exact.lighting_ms);
+    assert_true(table->rows[2].error.rel < 1e-5);
+}
+
 static void test_a_view(void **state)
 {
     (void)state;
@@ -52,7 +78,15 @@ static void test_a_view(void **state)
     box(&scene);
     scenes_table table = {0};
     seen s = {0};
-    scenes_view view = {device, &scene, "box", WIDTH, HEIGHT, false, NULL, NULL, 3, true};
+    scenes_truth known = {.light = NULL};
+    scenes_view view = {.device = device,
+                        .scene = &scene,
+                        .name = "box",
+                        .width = WIDTH,
+                        .height = HEIGHT,
+                        .runs = 3,
+                        .truth_once = true,
+                        .known = &known};
     assert_true(scenes_measure(&view, pipelines, see, &s, &table));
     assert_int_equal(table.count, 3);
     assert_int_equal(s.calls, 3);
@@ -67,6 +101,8 @@ static void test_a_view(void **state)
     assert_true(half->jump_p99 > 0);
     assert_true(half->lighting_ms > 0 && half->truth_ms == exact->lighting_ms);
     assert_true(half->frame_ms > 0);
+    test_again(&view, &table);
+    free(known.light);
     scenes_table_free(&table);
     render_scene_free(&scene);
     close_clean(device);
