@@ -37,17 +37,22 @@ void html_text(FILE *out, const char *text)
         fputs("</code>", out);
 }
 
-void html_paragraph(page *page, const char *format, ...)
+void html_formatted(FILE *out, const char *format, va_list arguments)
 {
     char text[4096];
+    vsnprintf(text, sizeof text, format, arguments);
+    html_text(out, text);
+}
+
+void html_paragraph(page *page, const char *format, ...)
+{
+    FILE *out = page_html(page);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    FILE *out = page_html(page);
     fputs("<p>", out);
-    html_text(out, text);
+    html_formatted(out, format, arguments);
     fputs("</p>\n", out);
+    va_end(arguments);
 }
 
 char *html_number(double value, int digits, char text[HTML_NUMBER_SIZE])

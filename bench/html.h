@@ -2,12 +2,16 @@
 #ifndef BENCH_HTML_H
 #define BENCH_HTML_H
 
+#include <stdarg.h>
 #include <stdio.h>
 
 #include "page.h"
 
 /* Escaped text; `quoted` parts become <code>. */
 void html_text(FILE *out, const char *text);
+/* The same of formatted text, of up to 4095 characters. */
+void html_formatted(FILE *out, const char *format, va_list arguments)
+    __attribute__((format(printf, 2, 0)));
 /* A paragraph of formatted, then escaped text. */
 void html_paragraph(page *page, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

@@ -11,7 +11,7 @@
 
 #include "sg.h"
 
-static void cpu_model(char *text, size_t size)
+void machine_processor(char *text, size_t size)
 {
     snprintf(text, size, "unknown");
     FILE *file = fopen("/proc/cpuinfo", "r");
@@ -34,7 +34,7 @@ void machine_add_json(cJSON *object)
     char text[256];
     struct utsname system = {0};
     uname(&system);
-    cpu_model(text, sizeof text);
+    machine_processor(text, sizeof text);
     cJSON_AddStringToObject(object, "processor", text);
     cJSON_AddNumberToObject(object, "cores", (double)sysconf(_SC_NPROCESSORS_ONLN));
     snprintf(text, sizeof text, "%s %s", system.sysname, system.machine);

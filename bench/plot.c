@@ -162,13 +162,11 @@ bool figure_panel(page *page, const plot *plot)
 
 void figure_end(page *page, const char *format, ...)
 {
-    char text[4096];
+    FILE *out = page_html(page);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    FILE *out = page_html(page);
     fputs("</div>\n<figcaption>", out);
-    html_text(out, text);
+    html_formatted(out, format, arguments);
     fputs("</figcaption>\n</figure>\n", out);
+    va_end(arguments);
 }

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "html.h"
+#include "machine.h"
 #include "report.h"
 #include "report_speed.h"
 
@@ -20,24 +21,6 @@ static void row(page *page, const char *what, const char *value)
     html_cell(page, what);
     html_cell(page, value && *value ? value : "not known");
     html_row_end(page);
-}
-
-static void cpu_model(char *text, size_t size)
-{
-    snprintf(text, size, "not known");
-    FILE *file = fopen("/proc/cpuinfo", "r");
-    if (!file)
-        return;
-    char line[256];
-    while (fgets(line, sizeof line, file)) {
-        char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", 10) != 0 || !colon)
-            continue;
-        colon[strcspn(colon, "\n")] = '\0';
-        snprintf(text, size, "%s", colon + 2);
-        break;
-    }
-    fclose(file);
 }
 
 /* The first line that a program of the machine prints of its own version; "" without it. */
@@ -60,7 +43,7 @@ bool report_machine(report *report)
     struct utsname system = {0};
     uname(&system);
     html_table_begin(page, "Machine, compiler and libraries.", columns);
-    cpu_model(text, sizeof text);
+    machine_processor(text, sizeof text);
     row(page, "processor", text);
     snprintf(text, sizeof text, "%ld", sysconf(_SC_NPROCESSORS_ONLN));
     row(page, "cores in use", text);

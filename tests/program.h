@@ -82,4 +82,16 @@ static inline void run_free(run *result)
 
 #define RUN(options, ...) program_run((const char *const[]){__VA_ARGS__, NULL}, options)
 
+/* Runs the program, which must refuse: that exit status, one line on standard error that names a
+ * word, nothing on standard output. */
+static inline void program_refuses(const char *const *arguments, int status, const char *word)
+{
+    run r = program_run(arguments, NULL);
+    const char *end = strchr(r.error, '\n');
+    if (r.status != status || r.out_size != 0 || !end || end[1] || !strstr(r.error, word))
+        fail_msg("expected status %d and one line that names %s, found %d: %s", status, word,
+                 r.status, r.error);
+    run_free(&r);
+}
+
 #endif

@@ -190,31 +190,25 @@ static void the_include_has_just_that(void **state)
     workspace_close(&at);
 }
 
-static void refused(const char *const *arguments, const char *names)
-{
-    run r = program_run(arguments, NULL);
-    const char *end = strchr(r.error, '\n');
-    if (r.status != 2 || r.out_size != 0 || !end || end[1] || !strstr(r.error, names))
-        fail_msg("expected status 2 and one line that names %s, found %d: %s", names, r.status,
-                 r.error);
-    run_free(&r);
-}
-
 static void wrong_wishes_are_refused(void **state)
 {
     (void)state;
     workspace at;
     workspace_open(&at);
-    refused((const char *[]){"choose", NULL}, "--max-error");
-    refused((const char *[]){"choose", "--max-error", "0", NULL}, "above 0");
-    refused((const char *[]){"choose", "--max-error", "1", "--lambda", "5:1", NULL}, "5:1");
-    refused((const char *[]){"choose", "--max-error", "1", "--lambda", "-1:1", NULL}, "-1:1");
-    refused((const char *[]){"choose", "--max-error", "1", "--metric", "mean", NULL}, "mean");
-    refused(
-        (const char *[]){"choose", "--max-error", "1", "--cost", "cpu", "--rate", "split", NULL},
+    program_refuses((const char *[]){"choose", NULL}, 2, "--max-error");
+    program_refuses((const char *[]){"choose", "--max-error", "0", NULL}, 2, "above 0");
+    program_refuses((const char *[]){"choose", "--max-error", "1", "--lambda", "5:1", NULL}, 2,
+                    "5:1");
+    program_refuses((const char *[]){"choose", "--max-error", "1", "--lambda", "-1:1", NULL}, 2,
+                    "-1:1");
+    program_refuses((const char *[]){"choose", "--max-error", "1", "--metric", "mean", NULL}, 2,
+                    "mean");
+    program_refuses(
+        (const char *[]){"choose", "--max-error", "1", "--cost", "cpu", "--rate", "split", NULL}, 2,
         "--rate split");
-    refused((const char *[]){"choose", "--max-error", "1", "--profile", "/nowhere.csv", NULL},
-            "/nowhere.csv");
+    program_refuses(
+        (const char *[]){"choose", "--max-error", "1", "--profile", "/nowhere.csv", NULL}, 2,
+        "/nowhere.csv");
     static const struct {
         const char *text, *names;
     } profiles[] = {{"lambda,cos_theta\n1,1\n", "weight"},
@@ -226,9 +220,9 @@ static void wrong_wishes_are_refused(void **state)
                     {"lambda,cos_theta,weight\n1,0.5,-1\n", "weight"}};
     for (size_t i = 0; i < sizeof profiles / sizeof *profiles; i++) {
         workspace_write(&at, "bad.csv", profiles[i].text);
-        refused((const char *[]){"choose", "--max-error", "1", "--profile",
-                                 workspace_path(&at, "bad.csv"), NULL},
-                profiles[i].names);
+        program_refuses((const char *[]){"choose", "--max-error", "1", "--profile",
+                                         workspace_path(&at, "bad.csv"), NULL},
+                        2, profiles[i].names);
     }
     workspace_close(&at);
 }

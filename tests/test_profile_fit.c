@@ -144,16 +144,6 @@ static void a_budget_is_kept(void **state)
     workspace_close(&at);
 }
 
-static void refused(const char *const *arguments, const char *names)
-{
-    run r = program_run(arguments, NULL);
-    const char *end = strchr(r.error, '\n');
-    if (r.status != 2 || r.out_size != 0 || !end || end[1] || !strstr(r.error, names))
-        fail_msg("expected status 2 and one line that names %s, found %d: %s", names, r.status,
-                 r.error);
-    run_free(&r);
-}
-
 static void wrong_wishes_are_refused(void **state)
 {
     (void)state;
@@ -161,14 +151,16 @@ static void wrong_wishes_are_refused(void **state)
     workspace_open(&at);
     workspace_write(&at, "bad.csv", "lambda,cos_theta,weight\n1,0.5,1\n1,7,1\n");
     const char *bad = workspace_path(&at, "bad.csv");
-    refused((const char *[]){"fit", "--profile", "/nowhere.csv", NULL}, "/nowhere.csv");
-    refused((const char *[]){"fit", "--profile", bad, NULL}, "line 3");
-    refused((const char *[]){"fit", "--profile", bad, "--budget", "0", NULL}, "--budget");
-    refused((const char *[]){"fit", "--profile", bad, "--max-error", "-1", NULL}, "--max-error");
-    refused((const char *[]){"fit", "--profile", bad, "--metric", "mean", NULL}, "mean");
-    refused((const char *[]){"fit", "--profile", bad, "--list", NULL}, "--list");
-    refused((const char *[]){"fit", "--profile", bad, "quick", NULL}, "recipes");
-    refused((const char *[]){"fit", "--budget", "20", NULL}, "--profile");
+    program_refuses((const char *[]){"fit", "--profile", "/nowhere.csv", NULL}, 2, "/nowhere.csv");
+    program_refuses((const char *[]){"fit", "--profile", bad, NULL}, 2, "line 3");
+    program_refuses((const char *[]){"fit", "--profile", bad, "--budget", "0", NULL}, 2,
+                    "--budget");
+    program_refuses((const char *[]){"fit", "--profile", bad, "--max-error", "-1", NULL}, 2,
+                    "--max-error");
+    program_refuses((const char *[]){"fit", "--profile", bad, "--metric", "mean", NULL}, 2, "mean");
+    program_refuses((const char *[]){"fit", "--profile", bad, "--list", NULL}, 2, "--list");
+    program_refuses((const char *[]){"fit", "--profile", bad, "quick", NULL}, 2, "recipes");
+    program_refuses((const char *[]){"fit", "--budget", "20", NULL}, 2, "--profile");
     workspace_close(&at);
 }
 

@@ -15,18 +15,6 @@
 #include "program.h"
 #include "work.h"
 
-/* One line on standard error, the given status, nothing on standard output. */
-static void assert_refused(const char *const *arguments, int status, const char *names)
-{
-    run r = program_run(arguments, NULL);
-    assert_int_equal(r.status, status);
-    assert_int_equal(r.out_size, 0);
-    const char *end = strchr(r.error, '\n');
-    if (!end || end[1] || !strstr(r.error, names))
-        fail_msg("expected one line that names %s: %s", names, r.error);
-    run_free(&r);
-}
-
 static void a_folder_that_cannot_be_written_is_named(void **state)
 {
     (void)state;
@@ -34,13 +22,13 @@ static void a_folder_that_cannot_be_written_is_named(void **state)
     snprintf(file, sizeof file, "%s/a_file", work.folder);
     assert_true(base_write_file(file, "kept", 4));
     snprintf(below, sizeof below, "%s/report", file);
-    assert_refused((const char *[]){"report", "--out", below, NULL}, 1, "a_file");
-    assert_refused((const char *[]){"report", "--out", file, NULL}, 1, "a_file");
+    program_refuses((const char *[]){"report", "--out", below, NULL}, 1, "a_file");
+    program_refuses((const char *[]){"report", "--out", file, NULL}, 1, "a_file");
     char *kept = base_read_file(file, &(size_t){0});
     assert_string_equal(kept, "kept");
     free(kept);
-    assert_refused((const char *[]){"report", NULL}, 2, "--out");
-    assert_refused((const char *[]){"report", "--out", file, "--colour", NULL}, 2, "--colour");
+    program_refuses((const char *[]){"report", NULL}, 2, "--out");
+    program_refuses((const char *[]){"report", "--out", file, "--colour", NULL}, 2, "--colour");
 }
 
 /* The page is larger than files may be here; what was begun before it is taken back. */
@@ -84,7 +72,7 @@ static void without_gnuplot_nothing_is_written(void **state)
     snprintf(bare, sizeof bare, "%s/bare", work.folder);
     char *path = strdup(getenv("PATH"));
     setenv("PATH", work.folder, 1);
-    assert_refused((const char *[]){"report", "--out", bare, NULL}, 1, "gnuplot");
+    program_refuses((const char *[]){"report", "--out", bare, NULL}, 1, "gnuplot");
     setenv("PATH", path, 1);
     free(path);
     rmdir(bare); /* made or not, it is empty */

@@ -169,26 +169,20 @@ static void test_lobes_of_clusters(void **state)
     close_clean(device);
 }
 
-static void refused(const char *const *arguments, const char *expected)
-{
-    run r = program_run(arguments, &(run_options){0});
-    assert_int_equal(r.status, 2);
-    assert_non_null(strstr(r.error, expected));
-    assert_ptr_equal(strchr(r.error, '\n'), r.error + strlen(r.error) - 1);
-    run_free(&r);
-}
-
 static void test_refusals(void **state)
 {
     (void)state;
-    refused((const char *const[]){"bench", "--scenes", "built-in", NULL}, "--out");
-    refused((const char *const[]){"bench", "--out", "x", "--view", "box", NULL}, "--scenes");
-    refused((const char *const[]){"bench", "--scenes", "/nowhere/at/all", "--out", "x", NULL},
-            "/nowhere/at/all");
-    refused((const char *const[]){"bench", "--scenes", "built-in", "--out", "x", "--part",
-                                  "views,nothing", NULL},
-            "found \"nothing\"");
-    refused((const char *const[]){"bench", "--out", "x", "--part", "views", NULL}, "--part");
+    program_refuses((const char *const[]){"bench", "--scenes", "built-in", NULL}, 2, "--out");
+    program_refuses((const char *const[]){"bench", "--out", "x", "--view", "box", NULL}, 2,
+                    "--scenes");
+    program_refuses(
+        (const char *const[]){"bench", "--scenes", "/nowhere/at/all", "--out", "x", NULL}, 2,
+        "/nowhere/at/all");
+    program_refuses((const char *const[]){"bench", "--scenes", "built-in", "--out", "x", "--part",
+                                          "views,nothing", NULL},
+                    2, "found \"nothing\"");
+    program_refuses((const char *const[]){"bench", "--out", "x", "--part", "views", NULL}, 2,
+                    "--part");
 }
 
 static void test_one_part(void **state)
