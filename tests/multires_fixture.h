@@ -84,7 +84,7 @@ static inline double dot(const float a[3], const float b[3])
 
 /* ---- Fragments ----------------------------------------------------------------------- */
 
-enum { STATE_NOTHING, STATE_FINAL, STATE_SAMPLE, STATE_PART, STATE_DARK };
+enum { STATE_NOTHING, STATE_FINAL, STATE_SAMPLE, STATE_PART, STATE_DARK, STATE_SHARED };
 
 static inline size_t fragment_index(const multires *m, int level, uint32_t x, uint32_t y)
 {
@@ -132,6 +132,16 @@ static inline uint32_t *sorted_list(const multires *m, int list)
     memcpy(sorted, list_entries(m, list), 4 * (size_t)count);
     qsort(sorted, count, 4, ascending);
     return sorted;
+}
+
+/* The passes of the pipeline; kept is bound to the test, which here does all lights at once. */
+static inline gpu_compute *compile_test(fixture *f, gpu_buffer **kept)
+{
+    static const gpu_binding buffer = GPU_STORAGE_BUFFER;
+    gpu_compute *test;
+    must(multires_compute(&f->frame, "multires/test.comp", &buffer, &test));
+    must(gpu_buffer_create(f->device, 16, kept));
+    return test;
 }
 
 /* The pyramids and the first fragments. */

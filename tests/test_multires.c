@@ -195,9 +195,9 @@ static void fragments_split_where_visibility_differs(void **state)
     run_first(&f, &m);
     uint32_t before[2] = {list_count(&m, 3), list_count(&m, 2)}, count = list_count(&m, 4);
     uint32_t *tops = sorted_list(&m, 4);
-    gpu_compute *test;
-    must(multires_compute(&f.frame, "multires/test.comp", NULL, &test));
-    gpu_step step = multires_list_step(&f.frame, &m, "test", test, 4, 4, NULL);
+    gpu_buffer *between;
+    gpu_compute *test = compile_test(&f, &between);
+    gpu_step step = multires_list_step(&f.frame, &m, "test", test, 4, 4, between);
     must(gpu_run(f.device, &step, 1, NULL));
     int same = 0, kept = 0, once = 0, again = 0;
     uint32_t expected[2] = {0, 0};
@@ -222,6 +222,7 @@ static void fragments_split_where_visibility_differs(void **state)
     }
     free(tops);
     gpu_compute_destroy(test);
+    gpu_buffer_destroy(between);
     multires_destroy(&m);
     embree_close(&embree);
     fixture_close(&f);

@@ -8,6 +8,7 @@ enum { WIDTH = 152, HEIGHT = 98 };
 typedef struct full_run {
     multires m;
     gpu_compute *test, *additional, *upsample;
+    gpu_buffer *kept;
     float *light;
 } full_run;
 
@@ -16,12 +17,12 @@ static full_run run_all(fixture *f)
     static const gpu_binding image = GPU_STORAGE_IMAGE;
     full_run r;
     run_first(f, &r.m);
-    must(multires_compute(&f->frame, "multires/test.comp", NULL, &r.test));
+    r.test = compile_test(f, &r.kept);
     must(multires_compute(&f->frame, "multires/additional.comp", NULL, &r.additional));
     must(multires_compute(&f->frame, "multires/upsample.comp", &image, &r.upsample));
     gpu_step steps[6];
     for (int l = 4; l > 0; l--)
-        steps[4 - l] = multires_list_step(&f->frame, &r.m, "test", r.test, l, l, NULL);
+        steps[4 - l] = multires_list_step(&f->frame, &r.m, "test", r.test, l, l, r.kept);
     steps[4] = multires_list_step(&f->frame, &r.m, "additional", r.additional, 0, 0, NULL);
     steps[5] = multires_step(&f->frame, &r.m, "upsample", r.upsample, 0, f->frame.light);
     steps[5].groups[0] = (f->frame.width + 15) / 16;
@@ -37,6 +38,7 @@ static void close_run(full_run *r)
     gpu_compute_destroy(r->test);
     gpu_compute_destroy(r->additional);
     gpu_compute_destroy(r->upsample);
+    gpu_buffer_destroy(r->kept);
     multires_destroy(&r->m);
     free(r->light);
 }
@@ -68,41 +70,60 @@ static void large_fragments_have_three_more_samples(void **state)
     fixture_close(&f);
 }
 
-/* Least and most of what is known in and around a large fragment: its parts, and whatever stands
- * at its grid's places. */
-static void bounds_of(const full_run *r, const fixture *f, int l, uint32_t x, uint32_t y,
-                      float low[3], float high[3])
+typedef struct bounds {
+    float low[3], high[3];
+} bounds;
+
+static void widen(bounds *b, const float *value)
 {
-    const float *values[32];
-    int count = 0;
+    for (int k = 0; k < 3; k++) {
+        b->low[k] = fminf(b->low[k], value[k]);
+        b->high[k] = fmaxf(b->high[k], value[k]);
+    }
+}
+
+/* By what is known in and around a large fragment: its parts, and whatever stands at its grid's
+ * places. */
+static void widen_large(const full_run *r, const fixture *f, int l, uint32_t x, uint32_t y,
+                        bounds *b)
+{
     uint32_t half = 1u << (l - 1);
     for (uint32_t i = 0; i < 4; i++)
-        values[count++] = illumination(&r->m, l - 1, 2 * x + (i & 1), 2 * y + (i >> 1));
+        widen(b, illumination(&r->m, l - 1, 2 * x + (i & 1), 2 * y + (i >> 1)));
     for (uint32_t i = 0; i < 9; i++) {
         uint32_t px = (x << l) + i % 3 * half, py = (y << l) + i / 3 * half;
         for (int level = 0; px < f->frame.width && py < f->frame.height && level < 5; level++) {
             int s = state_of(&r->m, level, px >> level, py >> level);
             if ((s != STATE_NOTHING && level < 2) || s == STATE_DARK)
-                values[count++] = illumination(&r->m, level, px >> level, py >> level);
-        }
-    }
-    for (int k = 0; k < 3; k++) {
-        low[k] = high[k] = values[0][k];
-        for (int i = 1; i < count; i++) {
-            low[k] = fminf(low[k], values[i][k]);
-            high[k] = fmaxf(high[k], values[i][k]);
+                widen(b, illumination(&r->m, level, px >> level, py >> level));
         }
     }
 }
 
-/* Every pixel is copied from a small fragment, or bounded by what is known about a large one. */
+/* By what is known of the pixels up to a radius. */
+static void widen_around(const full_run *r, const fixture *f, int radius, int x, int y, bounds *b)
+{
+    for (int j = y - radius; j <= y + radius; j++)
+        for (int i = x - radius; i <= x + radius; i++) {
+            if (i < 0 || j < 0 || i >= (int)f->frame.width || j >= (int)f->frame.height)
+                continue;
+            uint32_t px = (uint32_t)i, py = (uint32_t)j;
+            int l = 0;
+            while (l < 4 && state_of(&r->m, l, px >> l, py >> l) == STATE_NOTHING)
+                l++;
+            widen(b, illumination(&r->m, l, px >> l, py >> l));
+        }
+}
+
+/* Every pixel is copied from a small fragment, or bounded by what is known about a large one, or
+ * around one that shares its half shadow. */
 static void upsampled_values_are_bounded(void **state)
 {
     (void)state;
     fixture f;
     fixture_open(&f, "box_area", WIDTH, HEIGHT);
     full_run r = run_all(&f);
-    int copied = 0, between = 0, dark = 0;
+    int copied = 0, between = 0, shared = 0;
     for (uint32_t y = 0; y < HEIGHT; y++)
         for (uint32_t x = 0; x < WIDTH; x++) {
             const float *light = r.light + 4 * (y * WIDTH + x), *value = NULL;
@@ -117,14 +138,16 @@ static void upsampled_values_are_bounded(void **state)
                     break;
             }
             assert_true(l < RENDER_LEVELS);
-            float low[3] = {value[0], value[1], value[2]}, high[3] = {low[0], low[1], low[2]};
+            bounds b = {{value[0], value[1], value[2]}, {value[0], value[1], value[2]}};
             if (s == STATE_FINAL && l > 2)
-                bounds_of(&r, &f, l, x >> l, y >> l, low, high);
-            copied += l<2, between += l> 2, dark += s == STATE_DARK;
+                widen_large(&r, &f, l, x >> l, y >> l, &b);
+            if (s == STATE_SHARED)
+                widen_around(&r, &f, 1 << l, (int)x, (int)y, &b);
+            copied += l < 2 && s != STATE_SHARED, between += l > 2, shared += s == STATE_SHARED;
             for (int k = 0; k < 3; k++)
-                assert_true(light[k] >= low[k] * 0.99999F && light[k] <= high[k] * 1.00001F);
+                assert_true(light[k] >= b.low[k] * 0.99999F && light[k] <= b.high[k] * 1.00001F);
         }
-    assert_true(copied > 1000 && between > 1000);
+    assert_true(copied > 1000 && between > 1000 && shared > 200);
     close_run(&r);
     fixture_close(&f);
 }

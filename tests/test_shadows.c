@@ -1,5 +1,5 @@
 /* Area lights with shadows: their points, ground truth against Embree's rays, the pipelines against
- * ground truth, and lights that are hard to treat. */
+ * ground truth. */
 #include "multires_fixture.h"
 
 #include "embree.h"
@@ -198,96 +198,6 @@ static void pipelines_come_near_ground_truth(void **state)
     fixture_close(&f);
 }
 
-/* ---- Lights that are hard to treat ------------------------------------------------------ */
-
-/* Sum of what a pipeline makes of the scene's lights. */
-static double sum_light(fixture *f, const render_pipeline *pipeline, render_statistics *statistics)
-{
-    float *light = fixture_light(f, pipeline, statistics);
-    size_t pixels = (size_t)f->frame.width * f->frame.height;
-    double sum = 0;
-    for (size_t i = 0; i < pixels; i++) {
-        float expected = f->position[4 * i + 3] > 0 ? 1 : 0;
-        if (light[4 * i + 3] != expected)
-            fail_msg("%s, pixel %zu: state %g", pipeline->id, i, (double)light[4 * i + 3]);
-        for (size_t k = 0; k < 3; k++) {
-            assert_true(isfinite(light[4 * i + k]) && light[4 * i + k] >= 0);
-            sum += (double)light[4 * i + k];
-        }
-    }
-    free(light);
-    return sum;
-}
-
-static void lights_that_reach_nothing_are_dark(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *what;
-        double corners[3][3];
-    } lights[] = {
-        {"without area", {{0, 1, 0}, {0.5, 1, 0}, {0.5, 1, 0}}},
-        {"inside the tall box", {{0.45, 0.6, -0.4}, {0.5, 0.6, -0.4}, {0.45, 0.6, -0.35}}},
-        {"behind everything, turned away", {{0, 1, -3}, {0, 2, -3}, {1, 1, -3}}},
-        {"behind everything, through the wall", {{0, 1, -3}, {1, 1, -3}, {0, 2, -3}}},
-    };
-    fixture f;
-    fixture_open(&f, "box_area", WIDTH, HEIGHT);
-    f.scene.area_light_count = 1;
-    for (size_t l = 0; l < sizeof lights / sizeof *lights; l++) {
-        render_area_light light = {.corner_count = 3, .exitance = {5, 5, 5}};
-        memcpy(light.corners, lights[l].corners, sizeof lights[l].corners);
-        f.scene.area_lights[0] = light;
-        for (int i = 0; i < 3; i++) {
-            static const render_pipeline *const some[] = {&shadows_pipeline, &multires_pipeline,
-                                                          &nichols_pipeline};
-            render_statistics statistics;
-            const render_pipeline *pipeline = some[i];
-            double sum = sum_light(&f, pipeline, &statistics);
-            if (sum > 0)
-                fail_msg("%s, light %s: %g", pipeline->id, lights[l].what, sum);
-        }
-    }
-    f.scene.area_light_count = 2;
-    fixture_close(&f);
-}
-
-/* A light cut in a thousand gives what it gives in one piece; where a driver ends the loop over
- * them, that is said. */
-static void a_thousand_lights_are_one(void **state)
-{
-    (void)state;
-    enum { SIDE = 32 };
-    fixture f;
-    fixture_open(&f, "box_area", 12, 8);
-    render_area_light *own = f.scene.area_lights;
-    render_area_light *many = calloc(SIDE * SIDE, sizeof *many);
-    for (int i = 0; i < SIDE * SIDE; i++) {
-        many[i] = (render_area_light){.corner_count = 4, .exitance = {20, 19, 17}};
-        for (int c = 0; c < 4; c++) {
-            many[i].corners[c][0] = -0.3 + 0.6 * (i % SIDE + (c == 1 || c == 2)) / SIDE;
-            many[i].corners[c][1] = 1.99;
-            many[i].corners[c][2] = -0.1 + 0.6 * (i / SIDE + (c > 1)) / SIDE;
-        }
-    }
-    render_statistics statistics;
-    f.scene.area_light_count = 1;
-    double one = sum_light(&f, &shadows_pipeline, &statistics);
-    f.scene.area_lights = many;
-    f.scene.area_light_count = SIDE * SIDE;
-    double sum = sum_light(&f, &shadows_pipeline, &statistics);
-    assert_true(one > 0);
-    assert_true(fabs(sum - one) < 0.01 * one);
-    if (render_frame_light(&f.frame, &multires_pipeline, &statistics) != GPU_OK)
-        refused(GPU_FAILED, GPU_FAILED, "before all rays to 1024 area lights are traced");
-    else
-        assert_true(fabs(sum_light(&f, &multires_pipeline, &statistics) - one) < 0.05 * one);
-    f.scene.area_lights = own;
-    f.scene.area_light_count = 2;
-    free(many);
-    fixture_close(&f);
-}
-
 static void what_cannot_be_done_is_said(void **state)
 {
     (void)state;
@@ -309,8 +219,6 @@ int main(void)
         cmocka_unit_test(points_cover_any_polygon_evenly),
         cmocka_unit_test(ground_truth_is_what_embree_sees),
         cmocka_unit_test(pipelines_come_near_ground_truth),
-        cmocka_unit_test(lights_that_reach_nothing_are_dark),
-        cmocka_unit_test(a_thousand_lights_are_one),
         cmocka_unit_test(what_cannot_be_done_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -9,6 +9,11 @@
 typedef struct state {
     multires m;
     gpu_compute *test, *additional, *upsample;
+    gpu_buffer *kept;    /* by test.comp between its dispatches */
+    uint32_t at_once;    /* lights in a dispatch */
+    gpu_step *steps;     /* of a frame */
+    multires_push *push; /* of the steps that do some of the lights */
+    int step_count;
 } state;
 
 static void destroy(void *pointer)
@@ -17,48 +22,112 @@ static void destroy(void *pointer)
     gpu_compute_destroy(s->test);
     gpu_compute_destroy(s->additional);
     gpu_compute_destroy(s->upsample);
+    gpu_buffer_destroy(s->kept);
     multires_destroy(&s->m);
+    free(s->steps);
+    free(s->push);
     free(s);
 }
 
-static gpu_status create_with(render_frame *frame, const multires_settings *settings,
-                              void **pointer)
+/* ---- Steps --------------------------------------------------------------------------- */
+
+/* Drivers may end a shader whose loops turn often (llvmpipe after 65,535 turns in all): where there
+ * are more than at_once lights, rays to so many of them in one dispatch. */
+static size_t parts_of(const state *s)
 {
-    static const gpu_binding image = GPU_STORAGE_IMAGE;
+    uint32_t lights = s->m.shadows.light_count;
+    return lights > s->at_once ? (lights + s->at_once - 1) / s->at_once : 1;
+}
+
+/* One step over a list for each part of the lights. */
+static void add_parts(state *s, gpu_step step, multires_push push, multires_push **next)
+{
+    for (uint32_t i = 0, parts = (uint32_t)parts_of(s); i < parts; i++) {
+        push.first_light = i * s->at_once;
+        if (i + 1 < parts)
+            push.last_light = push.first_light + s->at_once;
+        else
+            push.last_light = s->m.shadows.light_count;
+        **next = push;
+        step.push = (*next)++;
+        s->steps[s->step_count++] = step;
+    }
+}
+
+static void make_steps(render_frame *frame, state *s)
+{
+    static const char *const names[] = {NULL, "sub-fragment visibility 2",
+                                        "sub-fragment visibility 4", "sub-fragment visibility 8",
+                                        "sub-fragment visibility 16"};
+    size_t most = 2 * RENDER_LEVELS * parts_of(s);
+    s->steps = base_allocate((most + 8) * sizeof *s->steps);
+    s->push = base_allocate(most * sizeof *s->push);
+    multires_push *next = s->push;
+    s->step_count = multires_begin(frame, &s->m, s->steps);
+    for (int l = RENDER_LEVELS - 1; l > 0; l--) {
+        gpu_step step = multires_list_step(frame, &s->m, names[l], s->test, l, l, s->kept);
+        multires_push push = s->m.push[l];
+        uint32_t rounds = push.last_round;
+        if (parts_of(s) == 1)
+            add_parts(s, step, push, &next);
+        for (uint32_t round = 0; parts_of(s) > 1 && round < rounds; round++) {
+            push.first_round = round;
+            push.last_round = round + 1;
+            add_parts(s, step, push, &next);
+        }
+    }
+    gpu_step more =
+        multires_list_step(frame, &s->m, "additional samples", s->additional, 0, 0, NULL);
+    add_parts(s, more, s->m.push[0], &next);
+    gpu_step *up = &s->steps[s->step_count++];
+    *up = multires_step(frame, &s->m, "single-pass upsampling", s->upsample, 0, frame->light);
+    up->groups[0] = (frame->width + 15) / 16;
+    up->groups[1] = (frame->height + 7) / 8;
+}
+
+/* ---- Pipelines ----------------------------------------------------------------------- */
+
+/* 32 bytes for each of the four sub-fragments of as many fragments as level 1 has. */
+static gpu_status create_kept(render_frame *frame, state *s)
+{
+    size_t bytes = parts_of(s) > 1 ? 32 * ((size_t)256 * s->m.tiles + 64) : 16;
+    if (bytes > (size_t)128 << 20)
+        return gpu_fail(GPU_UNSUPPORTED,
+                        "%u x %u pixels: what is known of them between some of %u area lights and "
+                        "the next needs %zu MiB, more than 128",
+                        frame->width, frame->height, s->m.shadows.light_count, bytes >> 20);
+    return gpu_buffer_create(frame->device, bytes, &s->kept);
+}
+
+gpu_status multires_create_state(render_frame *frame, const multires_settings *settings,
+                                 void **pointer)
+{
+    static const gpu_binding image = GPU_STORAGE_IMAGE, buffer = GPU_STORAGE_BUFFER;
     *pointer = NULL;
     state *s = base_allocate(sizeof *s);
-    *s = (state){0};
+    *s = (state){.at_once = settings->at_once};
     gpu_status status = multires_create(frame, settings, &s->m);
     if (status == GPU_OK)
-        status = multires_compute(frame, "multires/test.comp", NULL, &s->test);
+        status = create_kept(frame, s);
+    if (status == GPU_OK)
+        status = multires_compute(frame, "multires/test.comp", &buffer, &s->test);
     if (status == GPU_OK)
         status = multires_compute(frame, "multires/additional.comp", NULL, &s->additional);
     if (status == GPU_OK)
         status = multires_compute(frame, "multires/upsample.comp", &image, &s->upsample);
-    if (status == GPU_OK)
+    if (status == GPU_OK) {
+        make_steps(frame, s);
         *pointer = s;
-    else
+    } else {
         destroy(s);
+    }
     return status;
 }
 
 static gpu_status run(render_frame *frame, void *pointer, render_statistics *statistics)
 {
-    static const char *const names[] = {NULL, "sub-fragment visibility 2",
-                                        "sub-fragment visibility 4", "sub-fragment visibility 8",
-                                        "sub-fragment visibility 16"};
     const state *s = pointer;
-    gpu_step steps[16];
-    int count = multires_begin(frame, &s->m, steps);
-    for (int l = RENDER_LEVELS - 1; l > 0; l--)
-        steps[count++] = multires_list_step(frame, &s->m, names[l], s->test, l, l, NULL);
-    steps[count++] =
-        multires_list_step(frame, &s->m, "additional samples", s->additional, 0, 0, NULL);
-    steps[count] =
-        multires_step(frame, &s->m, "single-pass upsampling", s->upsample, 0, frame->light);
-    steps[count].groups[0] = (frame->width + 15) / 16;
-    steps[count++].groups[1] = (frame->height + 7) / 8;
-    return shadows_run(frame, steps, count, statistics);
+    return shadows_run(frame, s->steps, s->step_count, statistics);
 }
 
 static bool dump(render_frame *frame, void *pointer, const char *folder)
@@ -72,7 +141,7 @@ static bool dump(render_frame *frame, void *pointer, const char *folder)
     {                                                                                              \
         multires_settings settings = multires_default;                                             \
         settings.points = POINTS;                                                                  \
-        return create_with(frame, &settings, pointer);                                             \
+        return multires_create_state(frame, &settings, pointer);                                   \
     }                                                                                              \
     const render_pipeline multires##NAME##_pipeline = {                                            \
         .id = ID,                                                                                  \

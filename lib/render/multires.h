@@ -9,6 +9,7 @@ typedef struct multires_push {
     uint32_t tiles[2], level, differing, steep;
     float plane_limit, normal_limit;
     uint32_t points, together;
+    uint32_t first_light, last_light, first_round, last_round;
 } multires_push;
 
 /* Of the 64 points of a light: POINTS_ of fragments.glsl. */
@@ -19,6 +20,7 @@ typedef struct multires_settings {
     float plane_limit, normal_limit; /* pixels, 1 */
     enum multires_points points;
     uint32_t together; /* fragments in a work group */
+    uint32_t at_once;  /* lights in a dispatch */
 } multires_settings;
 
 /* A pixel's discontinuity from its neighbours, as in shaders/multires/pyramids.comp. */
@@ -40,7 +42,7 @@ void multires_destroy(multires *m);
 /* A pass of fragments.glsl; own: the kind of binding 13, where the pass has one. */
 gpu_status multires_compute(render_frame *frame, const char *path, const gpu_binding *own,
                             gpu_compute **compute);
-/* A step of such a pass, own at binding 13. */
+/* A step of such a pass for all lights, own at binding 13. */
 gpu_step multires_step(const render_frame *frame, const multires *m, const char *name,
                        gpu_compute *compute, int level, void *own);
 /* The same over a list of fragments. */
@@ -51,6 +53,10 @@ int multires_begin(const render_frame *frame, const multires *m, gpu_step *steps
 
 /* Writes fragments.png into the folder: levels 0 to 4 red, orange, yellow, green, blue. */
 bool multires_dump(const render_frame *frame, const multires *m, const char *folder);
+
+/* The state of multires_pipeline by other settings. */
+gpu_status multires_create_state(render_frame *frame, const multires_settings *settings,
+                                 void **state);
 
 extern const render_pipeline multires_pipeline, multires_same_pipeline, multires_apart_pipeline,
     nichols_pipeline;

@@ -10,7 +10,7 @@
 /* The level that a pixel's value comes from; -1: it has no surface. */
 static int level_of(const multires *m, const float *illumination, uint32_t x, uint32_t y)
 {
-    enum { FINAL = 1, PART = 3, DARK = 4 }; /* of fragments.glsl */
+    enum { FINAL = 1, PART = 3, DARK = 4, SHARED = 5 }; /* of fragments.glsl */
     static const size_t before[RENDER_LEVELS] = {0, 256, 320, 336, 340};
     bool part = false;
     for (int l = 0; l < RENDER_LEVELS; l++) {
@@ -19,7 +19,7 @@ static int level_of(const multires *m, const float *illumination, uint32_t x, ui
         int state = (int)illumination[4 * at + 3];
         if (state == FINAL || state == DARK)
             return l;
-        part = part || (l == 0 && state == PART);
+        part = part || (l == 0 && (state == PART || state == SHARED));
     }
     return part ? 1 : -1; /* four pixels that are kept as parts of a fragment of level 1 */
 }

@@ -11,7 +11,8 @@ const multires_settings multires_default = {.differing = 1,
                                             .plane_limit = 1.5F,
                                             .normal_limit = 0.25F,
                                             .points = MULTIRES_BOTH,
-                                            .together = 16};
+                                            .together = 16,
+                                            .at_once = 4};
 
 static const size_t most_bytes = (size_t)128 << 20;
 
@@ -40,14 +41,17 @@ gpu_status multires_create(render_frame *frame, const multires_settings *setting
     uint32_t down = (frame->height + MULTIRES_TILE - 1) / MULTIRES_TILE;
     m->tiles = (size_t)across * down;
     for (uint32_t l = 0; l < RENDER_LEVELS; l++)
-        m->push[l] = (multires_push){.tiles = {across, down},
-                                     .level = l,
-                                     .differing = settings->differing,
-                                     .steep = settings->steep,
-                                     .plane_limit = settings->plane_limit,
-                                     .normal_limit = settings->normal_limit,
-                                     .points = (uint32_t)settings->points,
-                                     .together = settings->together};
+        m->push[l] =
+            (multires_push){.tiles = {across, down},
+                            .level = l,
+                            .differing = settings->differing,
+                            .steep = settings->steep,
+                            .plane_limit = settings->plane_limit,
+                            .normal_limit = settings->normal_limit,
+                            .points = (uint32_t)settings->points,
+                            .together = settings->together,
+                            .last_light = m->shadows.light_count,
+                            .last_round = settings->points == MULTIRES_BOTH && l > 1 ? 2 : 1};
     if (status == GPU_OK)
         status = create_buffers(frame, m);
     if (status == GPU_OK)

@@ -10,29 +10,29 @@ uvec2 sub_at(uint sub) // of the four around the fragment: each a neighbour of t
 struct Found {
     uint differ; // bits, most of all lights
     uint twice;  // sub-fragments on a steep gradient
-    bool half_shadow;
+    bool lit;    // something is visible from one of them
 };
 
-// seen: bits of the four. Returns whether the gradient of this light is steep.
-bool compare(bool joined, uint seen[4], inout Found found)
+// seen: bits of the four for one light. steepest: the largest gradient. Returns whether some of
+// the light is visible, but not all.
+bool compare(bool joined, uint seen[4], inout Found found, out uint steepest)
 {
-    uint all = 0xffffu, any = 0u, before = found.twice;
-    found.twice = 0u;
+    uint all = 0xffffu, any = 0u;
+    steepest = 0u;
     for (uint i = 0u; i < 4u; i++) {
         uint next = seen[(i + 1u) & 3u];
         all &= seen[i];
         any |= seen[i];
-        int gradient = bitCount(seen[i]) - bitCount(next);
-        if (uint(abs(gradient)) > steep)
+        uint gradient = uint(abs(bitCount(seen[i]) - bitCount(next)));
+        steepest = max(steepest, gradient);
+        if (gradient > steep)
             found.twice |= 1u << i | 1u << ((i + 1u) & 3u);
     }
     bool part = any != 0u && all != 0xffffu;
     uint differ = joined && part ? 16u : joined ? 0u : bitCount(any & ~all);
     found.differ = max(found.differ, differ);
-    found.half_shadow = found.half_shadow || part;
-    bool is_steep = found.twice != 0u;
-    found.twice |= before;
-    return is_steep;
+    found.lit = found.lit || any != 0u;
+    return part;
 }
 
 #endif

@@ -49,7 +49,7 @@ void main()
     if (value >= 0.0 && first) {
         uvec2 fragment = at >> (l - 1u);
         bool split = value > 1.0;
-        if (split || faces_any(l, fragment)) {
+        if (faces_any(l, fragment)) {
             push_fragment(l, pack_fragment(fragment, split ? FORCED : 0u));
         } else {
             illumination[fragment_index(l, fragment)] = vec4(vec3(0.0), DARK);

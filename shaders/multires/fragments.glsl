@@ -15,6 +15,8 @@ layout(push_constant) uniform Push
     float normal_limit;   // and length of the diagonal of the box around the normals
     uint points;          // one of those below
     uint together;        // fragments that a work group of the next passes takes
+    uint first_light, last_light; // of this dispatch, without the last
+    uint first_round, last_round; // of test.comp, without the last
 };
 const uint POINTS_SAME = 0u;  // the same 16 of each light for all
 const uint POINTS_BOTH = 1u;  // the same 16 for tests, all 64 split over four for irradiance
@@ -40,6 +42,8 @@ const float FINAL = 1.0;  // a fragment that is not refined
 const float SAMPLE = 2.0; // an additional sample, a pixel of a fragment of level 3 or 4
 const float PART = 3.0;   // a sub-fragment of a fragment that is not refined
 const float DARK = 4.0;   // final, and faces away from every light
+const float SHARED = 5.0; // PART, and half shadow that it shares with the other three: upsampled
+                          // from its neighbours
 
 uint level_base(uint l) // of a level's fragments in the buffer of all levels
 {

@@ -1,11 +1,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // upsample.comp: single-pass upsampling by radial basis functions (3.1.5). Levels 0 to 2 are
-// copied. A pixel of a larger fragment lies in a triangle of samples: the middle of the
-// sub-fragment that it is in, and two neighbours of the 3 x 3 places on a grid from the fragment's
-// top left to the bottom right, the right and the lower ones being samples of the fragments there.
+// copied; where four share what they see of a half shadow, smoothly. A pixel of a larger fragment
+// lies in a triangle of samples: the middle of the sub-fragment that it is in, and two neighbours
+// of the 3 x 3 places on a grid from the fragment's top left to the bottom right, the right and the
+// lower ones being samples of the fragments there.
 #include "fragments.glsl"
 #include "radial.glsl"
+#include "smooth.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 
@@ -65,17 +67,20 @@ void main()
     vec4 position = texelFetch(position_image, pixel, 0);
     if (position.w <= 0.0)
         return;
-    vec3 irradiance = vec3(0.0);
+    vec4 value = vec4(0.0);
     bool found = false;
-    for (uint l = 0u; l <= TOP && !found; l++) {
-        vec4 value = illumination[fragment_index(l, uvec2(pixel) >> l)];
+    uint l = 0u;
+    for (uint i = 0u; i <= TOP && !found; i++) {
+        l = i;
+        value = illumination[fragment_index(l, uvec2(pixel) >> l)];
         found = value.w == DARK || value.w == FINAL || (l <= 1u && value.w != NOTHING);
-        if (found && value.w == FINAL && l >= 3u) {
-            vec3 n = unpack_normal(texelFetch(normal_image, pixel, 0).x);
-            value.rgb = in_fragment(l, pixel, position, n);
-        }
-        irradiance = found ? value.rgb : irradiance;
     }
+    if (value.w == FINAL && l >= 3u) {
+        vec3 n = unpack_normal(texelFetch(normal_image, pixel, 0).x);
+        value.rgb = in_fragment(l, pixel, position, n);
+    }
+    if (value.w == SHARED)
+        value.rgb = smooth_light(pixel, 1 << l, position, value.rgb);
     if (found)
-        imageStore(light_image, pixel, vec4(irradiance, 1.0));
+        imageStore(light_image, pixel, vec4(value.rgb, 1.0));
 }
