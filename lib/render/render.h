@@ -41,6 +41,13 @@ typedef struct render_comparison {
 void render_compare(size_t pixels, const float *light, const float *truth, float *errors,
                     render_comparison *result);
 
+/* Structural similarity of light and truth (Wang, Bovik, Sheikh and Simoncelli 2004: Gaussian window
+ * of 11 x 11 pixels with a standard deviation of 1.5, K1 = 0.01, K2 = 0.03), -1 to 1, 1: the same:
+ * mean over the pixels with a surface. Compared is the luminance of white surfaces under that light,
+ * by render_tone with that gain. Images as for render_compare, in rows. */
+double render_ssim(uint32_t width, uint32_t height, double gain, const float *light,
+                   const float *truth);
+
 /* ---- Frames -------------------------------------------------------------------------- */
 
 typedef struct render_options {

@@ -118,6 +118,9 @@ static bool compare(render_frame *frame, const char *id, output_frame *out, cJSO
     render_comparison comparison;
     render_compare(pixels, out->light, out->truth, out->errors, &comparison);
     output_comparison(json, &comparison);
+    base_json_add_f64(
+        json, "ssim",
+        render_ssim(frame->width, frame->height, frame->gain, out->light, out->truth));
     for (int i = 0; i < statistics.time_count; i++)
         if (strcmp(statistics.times[i].name, id) == 0)
             base_json_add_f64(json, "ground_truth_ms", statistics.times[i].ms);
