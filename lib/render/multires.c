@@ -110,9 +110,13 @@ gpu_status multires_create_state(render_frame *frame, const multires_settings *s
     if (status == GPU_OK)
         status = create_kept(frame, s);
     if (status == GPU_OK)
-        status = multires_compute(frame, "multires/test.comp", &buffer, &s->test);
+        status = multires_compute(
+            frame, settings->lobes ? "multires/test_lobe.comp" : "multires/test.comp", &buffer,
+            &s->test);
     if (status == GPU_OK)
-        status = multires_compute(frame, "multires/additional.comp", NULL, &s->additional);
+        status = multires_compute(
+            frame, settings->lobes ? "multires/additional_lobe.comp" : "multires/additional.comp",
+            NULL, &s->additional);
     if (status == GPU_OK)
         status = multires_compute(frame, "multires/upsample.comp", &image, &s->upsample);
     if (status == GPU_OK) {
@@ -136,11 +140,12 @@ static bool dump(render_frame *frame, void *pointer, const char *folder)
     return multires_dump(frame, &s->m, folder);
 }
 
-#define MULTIRES(NAME, ID, POINTS, TITLE)                                                          \
+#define MULTIRES(NAME, ID, POINTS, LOBES, TITLE)                                                   \
     static gpu_status create##NAME(render_frame *frame, void **pointer)                            \
     {                                                                                              \
         multires_settings settings = multires_default;                                             \
         settings.points = POINTS;                                                                  \
+        settings.lobes = LOBES;                                                                    \
         return multires_create_state(frame, &settings, pointer);                                   \
     }                                                                                              \
     const render_pipeline multires##NAME##_pipeline = {                                            \
@@ -153,8 +158,10 @@ static bool dump(render_frame *frame, void *pointer, const char *folder)
         .destroy = destroy,                                                                        \
     };
 
-MULTIRES(, "multires", MULTIRES_BOTH,
+MULTIRES(, "multires", MULTIRES_BOTH, false,
          "area lights with shadows by fragments of several resolutions (Koa and Johan 2016)")
-MULTIRES(_same, "multires_same", MULTIRES_SAME, "the same by 16 points of each light alone")
-MULTIRES(_apart, "multires_apart", MULTIRES_APART,
+MULTIRES(_same, "multires_same", MULTIRES_SAME, false, "the same by 16 points of each light alone")
+MULTIRES(_apart, "multires_apart", MULTIRES_APART, false,
          "the same, 64 points split over four sub-fragments in the tests too")
+MULTIRES(_lobe, "multires_lobe", MULTIRES_BOTH, true,
+         "the same, lights without shadow taken as spherical Gaussians")

@@ -21,6 +21,7 @@ typedef struct multires_settings {
     enum multires_points points;
     uint32_t together; /* fragments in a work group */
     uint32_t at_once;  /* lights in a dispatch */
+    bool lobes;        /* lights that are visible as a whole are taken as spherical Gaussians */
 } multires_settings;
 
 /* A pixel's discontinuity from its neighbours, as in shaders/multires/pyramids.comp. */
@@ -59,6 +60,7 @@ gpu_status multires_create_state(render_frame *frame, const multires_settings *s
                                  void **state);
 
 extern const render_pipeline multires_pipeline, multires_same_pipeline, multires_apart_pipeline,
+    multires_lobe_pipeline,
     nichols_pipeline;
 
 #endif

@@ -29,6 +29,7 @@ const render_pipeline *const render_pipelines[] = {
     &multires_pipeline,
     &multires_same_pipeline,
     &multires_apart_pipeline,
+    &multires_lobe_pipeline,
     &nichols_pipeline,
     /* the end */
     NULL,

@@ -10,7 +10,7 @@
 
 /* struct Area of shaders/shadows/area.glsl. */
 typedef struct area_data {
-    float plane[4], exitance[4];
+    float plane[4], exitance[4], middle[4];
     uint32_t range[4];
 } area_data;
 
@@ -20,6 +20,22 @@ typedef struct host_lights {
     float (*points)[4];
     uint32_t triangle_count, area_count;
 } host_lights;
+
+static void centroid(const render_area_light *light, double area, float middle[4])
+{
+    for (int i = 1; i + 1 < light->corner_count; i++) {
+        render_area_light part = {.corner_count = 3};
+        const int corners[3] = {0, i, i + 1};
+        double n[3];
+        for (int c = 0; c < 3; c++)
+            memcpy(part.corners[c], light->corners[corners[c]], sizeof part.corners[c]);
+        shadows_normal(&part, n);
+        double share = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / area / 3;
+        for (int c = 0; c < 3; c++)
+            for (int k = 0; k < 3; k++)
+                middle[k] += (float)(share * part.corners[c][k]);
+    }
+}
 
 static void add_light(const render_area_light *light, host_lights *to)
 {
@@ -45,6 +61,7 @@ static void add_light(const render_area_light *light, host_lights *to)
         t->a[3] = a->exitance[0], t->b[3] = a->exitance[1], t->c[3] = a->exitance[2];
         memcpy(t->plane, a->plane, sizeof t->plane);
     }
+    centroid(light, area, a->middle);
     for (int i = 0; i < light->corner_count; i++)
         for (int k = 0; k < 3; k++)
             size = fmax(size, fabs(light->corners[i][k]));

@@ -17,6 +17,7 @@
 struct Area {
     vec4 plane;    // unit normal towards the side that emits; w: area
     vec4 exitance; // w: 0
+    vec4 middle;   // centroid; w: 0
     uvec4 range;   // first of its triangles among the lights, how many; 0, 0
 };
 layout(set = 0, binding = 3, std430) readonly buffer Areas
