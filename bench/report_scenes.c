@@ -45,6 +45,10 @@ static bool gallery(report *report, const char *group, const char *text)
 {
     char *folder = base_join(report->scenes, group), **names;
     size_t count;
+    if (!scenes_are_there(report, group)) {
+        free(folder);
+        return true;
+    }
     bool good = base_list(folder, ".png", &names, &count);
     if (good) {
         html_paragraph(report->page, "%s", text);
@@ -63,6 +67,10 @@ static bool stage_galleries(report *report)
 {
     char *folder = base_join(report->scenes, "stages"), **names;
     size_t count;
+    if (!scenes_are_there(report, "stages")) {
+        free(folder);
+        return true;
+    }
     bool good = base_list(folder, "", &names, &count);
     if (good) {
         for (size_t i = 0; i < count && good; i++) {
@@ -82,12 +90,33 @@ static bool stage_galleries(report *report)
 
 enum { MOST_COLUMNS = 16 };
 
+bool scenes_link_file(report *report, const char *name)
+{
+    char *path = base_join(report->scenes, name), *inside = base_join("data", name);
+    size_t size;
+    char *bytes = base_read_file(path, &size);
+    if (bytes) {
+        page_file(report->page, inside, bytes, size);
+        fprintf(page_html(report->page), "<p class=\"source\"><a href=\"%s\">%s</a></p>\n", inside,
+                inside);
+    }
+    free(path);
+    free(inside);
+    free(bytes);
+    return bytes != NULL;
+}
+
 /* The columns of those names as a table, titled by titles. The file itself is linked below. */
 static bool table(report *report, const char *name, const char *const *names,
                   const char *const *titles, const char *caption)
 {
     scenes_reader r;
     int columns[MOST_COLUMNS], more = 0;
+    if (!scenes_are_there(report, name)) {
+        html_paragraph(report->page, "`%s` was not measured: its part of the bench did not run.",
+                       name);
+        return true;
+    }
     if (!scenes_reader_open(&r, report, name))
         return false;
     bool good = scenes_find_columns(&r, names, columns);
@@ -108,16 +137,8 @@ static bool table(report *report, const char *name, const char *const *names,
     scenes_reader_close(&r);
     if (!good || more < 0)
         return false;
-    char *path = base_join(report->scenes, name), *inside = base_join("data", name);
-    size_t size;
-    char *bytes = base_read_file(path, &size);
-    if (bytes)
-        page_file(report->page, inside, bytes, size);
-    html_table_end(report->page, inside);
-    free(path);
-    free(inside);
-    free(bytes);
-    return bytes != NULL;
+    html_table_end(report->page, NULL);
+    return scenes_link_file(report, name);
 }
 
 bool report_scenes(report *report)
@@ -141,36 +162,6 @@ bool report_scenes(report *report)
         "scene",  "#width",         "#height", "normals",       "pipeline",
         "#rel",   "#median",        "#p99",    "#jump",         "#uncovered",
         "#wrong", "#evaluations %", "#ms",     "#times faster", NULL};
-    static const char *const bar_names[] = {"scene",
-                                            "width",
-                                            "height",
-                                            "normals",
-                                            "pipeline",
-                                            "evaluations_percent",
-                                            "rel",
-                                            "p50",
-                                            "p99",
-                                            "rel_lower_percent",
-                                            "p99_lower_percent",
-                                            "rel_lower_than_split_percent",
-                                            "integration_over_limit",
-                                            "pixels_uncovered_or_wrong",
-                                            NULL};
-    static const char *const bar_titles[] = {"scene",
-                                             "#width",
-                                             "#height",
-                                             "normals",
-                                             "pipeline",
-                                             "#evaluations %",
-                                             "#rel",
-                                             "#median",
-                                             "#p99",
-                                             "#rel lower by %",
-                                             "#p99 lower by %",
-                                             "#than the split",
-                                             "#integration",
-                                             "#bad pixels",
-                                             NULL};
     static const char *const rate_names[] = {
         "scene",       "width",       "height", "pipeline", "lighting_ratio",
         "frame_ratio", "paper_ratio", "rel",    NULL};
@@ -209,18 +200,11 @@ bool report_scenes(report *report)
         NULL};
     static const char *const choice_titles[] = {
         "scene", "pipeline", "#asked", "method", "#instructions", "#RMSE", "#change of 255", NULL};
-    return gallery(report, "pictures",
+    return report_scene_bars(report) && report_scene_charts(report) &&
+           gallery(report, "pictures",
                    "Pictures by the ground truth (`exact`), the paper as printed (`meder`), ours "
                    "and a rival, all of one view with the same exposure; and their errors of "
                    "irradiance, relative to the image mean and times four, from green to red.") &&
-           report_scene_charts(report) &&
-           table(
-               report, "bars.csv", bar_names, bar_titles,
-               "Ours beside what was asked: at most 1.6 % of ground truth's light evaluations, "
-               "rel .05 (.06 on detailed normals), p99 .20, median .005; at equal lighting time "
-               "rel and p99 half those of the best upsampling and rel 10 % below the near and far "
-               "split with upsampling; an integration of at most twice the time of reading the "
-               "G-buffer and writing the light; no pixel uncovered or wrongly owned.") &&
            table(report, "views.csv", view_names, view_titles,
                  "Every view. Errors of irradiance against ground truth, relative to the image's "
                  "mean; light evaluations as the shaders counted them; time of all lighting passes "

@@ -127,12 +127,18 @@ bool scenes_shadows(const scenes_plan *plan);
 /* Virtual spherical Gaussian lights by every method: lobes.csv, lobes/. */
 bool scenes_lobes(const scenes_plan *plan);
 
+/* The rivals' settings: tune.csv. */
+bool scenes_tune(const scenes_plan *plan);
+
 /* Runs a part that writes one CSV of the built-in scene. False after one line. */
 typedef bool (*scenes_work)(const scenes_plan *plan, const render_scene *scene, FILE *out);
 bool scenes_of_box(const scenes_plan *plan, const char *name, const char *header, scenes_work work);
 
-/* The descriptions that the plan covers, those lit by area lights (NAME_area.json) or the others:
- * paths, free with base_list_free. */
+/* The descriptions that the plan covers (a quick one: only the first view of each scene), those lit
+ * by area lights (NAME_area.json) or the others: paths, free with base_list_free. */
 bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *count);
+
+/* Whether the path is not that of a further view of its scene: NAME_2.json and the like. */
+bool scenes_is_first_view(const char *path);
 
 #endif

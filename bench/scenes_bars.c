@@ -88,6 +88,7 @@ static void write_row(FILE *out, const scenes_table *table, const scenes_row *ro
 {
     const scenes_row *limit = find(table, row, "limit");
     double pairs = (double)row->statistics.ground_truth_evaluations;
+    double integration = pass_ms(row, "integrate");
     const double numbers[] = {
         100.0 * (double)row->statistics.light_evaluations / (pairs > 0.0 ? pairs : 1.0),
         row->error.rel,
@@ -97,8 +98,9 @@ static void write_row(FILE *out, const scenes_table *table, const scenes_row *ro
         lower_percent(row->error.rel, best_rival(table, row, false)),
         lower_percent(row->error.p99, best_rival(table, row, true)),
         lower_percent(row->error.rel, at_equal_time(table, row, split, false)),
-        limit ? pass_ms(row, "integrate") / limit->lighting_ms : (double)NAN,
-        (double)(row->statistics.pixels_uncovered + row->statistics.pixels_wrong)};
+        limit ? integration / limit->lighting_ms : (double)NAN,
+        (double)(row->statistics.pixels_uncovered + row->statistics.pixels_wrong),
+        integration};
     fprintf(out, "%s,%u,%u,%s,%s", row->scene, row->width, row->height,
             row->detailed ? "detailed" : "smooth", row->pipeline);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
@@ -115,7 +117,7 @@ bool scenes_write_bars(const scenes_table *table, const char *path)
         return false;
     fputs("scene,width,height,normals,pipeline,evaluations_percent,rel,p50,p99,lighting_ms,"
           "rel_lower_percent,p99_lower_percent,rel_lower_than_split_percent,"
-          "integration_over_limit,pixels_uncovered_or_wrong\n",
+          "integration_over_limit,pixels_uncovered_or_wrong,integrate_ms\n",
           output.stream);
     for (size_t i = 0; i < table->count; i++)
         for (size_t p = 0; p < sizeof ours / sizeof *ours; p++)

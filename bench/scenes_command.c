@@ -19,6 +19,13 @@ static bool is_lit_by_area(const char *name)
     return length >= sizeof ending - 1 && strcmp(name + length - (sizeof ending - 1), ending) == 0;
 }
 
+bool scenes_is_first_view(const char *path)
+{
+    size_t length = strlen(path) - strlen(".json");
+    return length < 2 || path[length - 2] != '_' || path[length - 1] < '0' ||
+           path[length - 1] > '9';
+}
+
 bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *count)
 {
     char *folder = base_join(base_source_root(), "tests/scenes");
@@ -27,7 +34,8 @@ bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *coun
     size_t kept = 0;
     for (size_t i = 0; good && i < *count; i++) {
         char *name = (*paths)[i];
-        if (strncmp(name, begin, strlen(begin)) == 0 && is_lit_by_area(name) == area)
+        bool further = plan->quick && !plan->only && !scenes_is_first_view(name);
+        if (strncmp(name, begin, strlen(begin)) == 0 && is_lit_by_area(name) == area && !further)
             (*paths)[kept++] = base_join(folder, name);
         free(name);
     }
@@ -84,10 +92,12 @@ static const struct {
     bool (*run)(const scenes_plan *plan);
 } parts[] = {
 #define PART(NAME) {#NAME, scenes_##NAME},
-    SCENES_PARTS(PART)
+    SCENES_PARTS(PART) SCENES_EXTRA_PARTS(PART)
 #undef PART
 };
-enum { PARTS = sizeof parts / sizeof *parts };
+#define COUNT(NAME) +1
+enum { USUAL_PARTS = SCENES_PARTS(COUNT), PARTS = sizeof parts / sizeof *parts };
+#undef COUNT
 
 static size_t find_part(const char *name, size_t length)
 {
@@ -102,10 +112,10 @@ static size_t find_part(const char *name, size_t length)
 static bool choose_parts(const char *list, bool wanted[PARTS])
 {
 #define NAME(PART) " " #PART
-    static const char names[] = SCENES_PARTS(NAME);
+    static const char names[] = SCENES_PARTS(NAME) SCENES_EXTRA_PARTS(NAME);
 #undef NAME
     for (size_t i = 0; i < PARTS; i++)
-        wanted[i] = list == NULL;
+        wanted[i] = list == NULL && i < USUAL_PARTS;
     while (list) {
         size_t length = strcspn(list, ","), part = find_part(list, length);
         if (part == PARTS) {

@@ -9,6 +9,9 @@
 #define SCENES_PARTS(X)                                                                            \
     X(views) X(rates) X(paper) X(growth) X(flicker) X(shadows) X(lobes) X(choice)
 
+/* Only where they are asked for by name. */
+#define SCENES_EXTRA_PARTS(X) X(tune)
+
 typedef struct scenes_request {
     const char *folder; /* of the meshes, or "built-in" */
     const char *only;   /* names of views that begin so; NULL: all */

@@ -116,14 +116,6 @@ static bool one_scene(const scenes_plan *plan, const char *path, const char *fol
     return good;
 }
 
-/* Not a further view: NAME_2.json and the like. */
-static bool is_first_view(const char *path)
-{
-    size_t length = strlen(path) - strlen(".json");
-    return length < 2 || path[length - 2] != '_' || path[length - 1] < '0' ||
-           path[length - 1] > '9';
-}
-
 bool scenes_paper(const scenes_plan *plan)
 {
     char **paths;
@@ -135,7 +127,7 @@ bool scenes_paper(const scenes_plan *plan)
     bool good = base_make_directory(folder);
     base_progress *progress = base_progress_begin("the paper's figures", count);
     for (size_t i = 0; i < count && good; i++) {
-        if (is_first_view(paths[i]))
+        if (scenes_is_first_view(paths[i]))
             good = one_scene(plan, paths[i], folder, &table);
         base_progress_step(progress, paths[i]);
     }

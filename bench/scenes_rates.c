@@ -94,7 +94,7 @@ bool scenes_rates(const scenes_plan *plan)
     if (!scenes_list(plan, false, &paths, &count))
         return false;
     scenes_table table = {0};
-    int size_count = !plan->folder ? 1 : plan->quick ? 2 : SIZES;
+    int size_count = !plan->folder || plan->quick ? 1 : SIZES;
     bool good = true;
     base_progress *progress = base_progress_begin("rates", count * (size_t)size_count);
     for (size_t i = 0; i < count && good; i++)

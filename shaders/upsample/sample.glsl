@@ -8,7 +8,7 @@ layout(push_constant) uniform Push
     uint factor;
     uint blocks_x, blocks_y;
     float plane;    // distance from the pixel's plane, in blocks, at which a sample counts 1/e
-    float power;    // of the cosine between both normals
+    float power;    // of the cosine between both normals, see likeness.glsl
     float least;    // sum of weights below which a pixel is lit exactly
 };
 

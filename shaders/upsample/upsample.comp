@@ -6,6 +6,7 @@
 // have the same four samples.
 #include "../common/frame.glsl"
 #include "sample.glsl"
+#include "likeness.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -54,7 +55,7 @@ void main()
         for (int i = 0; i < 4; i++) {
             float off = dot(n, positions[i].xyz - position.xyz) * scale;
             float weight = ((i & 1) != 0 ? fx : 1.0 - fx) * (i > 1 ? fy : 1.0 - fy);
-            weight *= exp(-off * off) * pow(max(dot(n, normals[i]), 1e-6), power);
+            weight *= sample_likeness(off, dot(n, normals[i]));
             weight = positions[i].w > 0.0 ? weight : 0.0;
             sum += weight * vec4(lights[i], 1.0);
         }

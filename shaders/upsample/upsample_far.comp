@@ -7,6 +7,7 @@
 #include "../hull/hull.glsl"
 #include "far.glsl"
 #include "block.glsl"
+#include "likeness.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -54,7 +55,7 @@ void main()
             float off = dot(near[i].normal.xyz, near[i].position.xyz - position.xyz) * scale;
             float along = dot(n, near[i].normal.xyz);
             float weight = ((i & 1) != 0 ? fx : 1.0 - fx) * (i > 1 ? fy : 1.0 - fy);
-            weight *= exp(-off * off) * pow(clamp(along, 1e-6, 1.0), power);
+            weight *= sample_likeness(off, along);
             weight = near[i].position.w > 0.0 ? weight : 0.0;
             sum += weight * vec4(sample_irradiance(near[i], n)
                                      + smoothstep(0.2, 0.9, along) * near[i].c.xyz, 1.0);
