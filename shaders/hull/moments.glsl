@@ -34,6 +34,14 @@ float fourth_order(Fourth sum, vec3 n)
     return dot(sum.a, h.a) + dot(sum.b, h.b) + sum.c * h.c;
 }
 
+// The colour of mean 1 of the light of which all that there is is given. Of a light seen edge-on
+// rounding may leave less than nothing.
+vec3 color_of(vec3 light)
+{
+    light = max(light, 0.0);
+    return light * (3.0 / max(light.r + light.g + light.b, 1e-20));
+}
+
 #ifdef FORM_FACTOR_GLSL
 
 // One edge's share of the first and second moment; g: cross product of its ends on the unit sphere.

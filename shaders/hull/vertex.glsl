@@ -29,9 +29,8 @@ vec3 vertex_irradiance(Vertex v, vec3 x, vec3 n)
     vec3 moments = vec3(dot(v.red0, s0) + dot(v.red1, s1), dot(v.green0, s0) + dot(v.green1, s1),
                         dot(v.blue0, s0) + dot(v.blue1, s1))
         + v.b.xyz * n.z;
-    vec3 all_of_it = vec3(v.red0.x + v.red0.y + v.red0.z, v.green0.x + v.green0.y + v.green0.z,
-                          v.blue0.x + v.blue0.y + v.blue0.z);
-    vec3 color = all_of_it * (3.0 / max(all_of_it.r + all_of_it.g + all_of_it.b, 1e-20));
+    vec3 color = color_of(vec3(v.red0.x + v.red0.y + v.red0.z, v.green0.x + v.green0.y + v.green0.z,
+                               v.blue0.x + v.blue0.y + v.blue0.z));
     moments += color * fourth_order(Fourth(v.fourth_a, v.fourth_b, v.b.w), n);
     return moments + vec3(v.place.w, v.gradient0.w, v.gradient1.w)
         + vec3(dot(v.gradient0.xyz, d), dot(v.gradient1.xyz, d), dot(v.gradient2.xyz, d));

@@ -21,9 +21,8 @@ vec3 sample_irradiance(Sample s, vec3 n)
     vec3 moments = vec3(dot(s.red0, s0) + dot(s.red1, s1), dot(s.green0, s0) + dot(s.green1, s1),
                         dot(s.blue0, s0) + dot(s.blue1, s1))
         + s.b.xyz * n.z;
-    vec3 all_of_it = vec3(s.red0.x + s.red0.y + s.red0.z, s.green0.x + s.green0.y + s.green0.z,
-                          s.blue0.x + s.blue0.y + s.blue0.z);
-    vec3 color = all_of_it * (3.0 / max(all_of_it.r + all_of_it.g + all_of_it.b, 1e-20));
+    vec3 color = color_of(vec3(s.red0.x + s.red0.y + s.red0.z, s.green0.x + s.green0.y + s.green0.z,
+                               s.blue0.x + s.blue0.y + s.blue0.z));
     return moments + color * fourth_order(Fourth(s.fourth_a, s.fourth_b, s.b.w), n);
 }
 
