@@ -1,5 +1,6 @@
 /* A frame: a scene on a device, its G-buffer and its lights. */
 #include "internal.h"
+#include "lpv.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -82,6 +83,12 @@ gpu_status render_frame_create(gpu_device *device, const render_scene *scene,
         status = draw(frame, &geometry);
     if (status == GPU_OK)
         status = resolve_create(frame);
+    if (status == GPU_OK && options->indirect == RENDER_INDIRECT_LPV) {
+        lpv_settings settings = lpv_default;
+        settings.volume = options->volume ? options->volume : settings.volume;
+        settings.steps = options->steps ? options->steps : settings.steps;
+        status = lpv_create(frame, &settings, &frame->lpv);
+    }
     geometry_destroy(&geometry);
     if (status != GPU_OK)
         render_frame_destroy(frame);
@@ -90,6 +97,7 @@ gpu_status render_frame_create(gpu_device *device, const render_scene *scene,
 
 void render_frame_destroy(render_frame *frame)
 {
+    lpv_destroy(frame->lpv);
     gpu_compute_destroy(frame->resolve);
     gpu_compute_destroy(frame->count);
     gpu_buffer_destroy(frame->view);
@@ -112,6 +120,8 @@ gpu_status render_frame_run(render_frame *frame, const render_pipeline *pipeline
     gpu_status status = gpu_run(frame->device, &clear, 1, NULL);
     if (status == GPU_OK)
         status = pipeline->run(frame, state, statistics);
+    if (status == GPU_OK && frame->lpv)
+        status = lpv_run(frame, frame->lpv, !pipeline->shadows, statistics);
     if (status == GPU_OK)
         status = resolve_run(frame, statistics);
     statistics->ground_truth_evaluations =

@@ -234,6 +234,7 @@ gpu_status lights_create(render_frame *frame, const geometry *geometry, double *
     memset(lights, 0, bytes);
     if (scene->has_spot)
         status = draw_map(frame, geometry, lights, ms);
+    frame->texel_count = frame->light_count;
     for (size_t i = 0; status == GPU_OK && i < scene->area_light_count; i++)
         frame->light_count += add_area_light(lights + frame->light_count, &scene->area_lights[i]);
     return status;

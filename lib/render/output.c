@@ -164,6 +164,10 @@ void output_statistics(cJSON *object, const render_statistics *statistics)
     add_count(object, "ground_truth_evaluations", statistics->ground_truth_evaluations);
     if (statistics->visibility_rays || statistics->samples)
         output_fragments(object, statistics);
+    if (statistics->voxels) {
+        add_count(object, "volume_samples", statistics->volume_samples);
+        add_count(object, "voxels", statistics->voxels);
+    }
     cJSON *times = cJSON_AddObjectToObject(object, "times_ms");
     double all = 0, lighting = 0;
     for (int i = 0; i < statistics->time_count; i++) {

@@ -19,6 +19,9 @@ typedef struct render_statistics {
     /* area lights with shadows: rays, places where irradiance was computed, fragments of
      * 1, 2, 4, 8, 16 pixels a side */
     uint64_t visibility_rays, samples, fragments_by_level[RENDER_LEVELS];
+    /* indirect light: its volume's points on surfaces, which count among the samples too, and its
+     * voxels */
+    uint64_t volume_samples, voxels;
     uint64_t ground_truth_evaluations; /* pixels with a surface times lights */
     uint64_t triangles, lights;
     int time_count;
@@ -50,10 +53,16 @@ double render_ssim(uint32_t width, uint32_t height, double gain, const float *li
 
 /* ---- Frames -------------------------------------------------------------------------- */
 
+/* LPV: one diffuse bounce of what a pipeline lights, by a light propagation volume: lpv.h. */
+typedef enum render_indirect { RENDER_INDIRECT_NONE, RENDER_INDIRECT_LPV } render_indirect;
+
 typedef struct render_options {
     uint32_t width, height;
     const char *method;    /* of the registry, for passes that integrate lobes; NULL: "standard" */
     bool detailed_normals; /* strong procedural detail on the shading normals */
+    render_indirect indirect; /* beside what a pipeline lights */
+    uint32_t volume, steps;   /* of its volume: voxels along the longest side, 1 to 128, and how
+                                 often light moves on; 0: the default */
     int runs; /* of which times are the medians, after one that does not count where they are more
                  than one; 0 counts as 1 */
 } render_options;
@@ -63,6 +72,7 @@ typedef struct render_frame {
     const render_scene *scene;
     render_options options;
     uint32_t width, height, light_count;
+    uint32_t texel_count; /* the lights that are texels of the reflective shadow map: the first */
 
     gpu_buffer *view;     /* struct View of shaders/common/frame.glsl */
     gpu_buffer *lights;   /* struct Light of shaders/common/lights.glsl */
@@ -83,6 +93,7 @@ typedef struct render_frame {
     render_statistics made;
     double gain; /* exposure of pictures of this scene and view, see render_tone */
     gpu_compute *resolve, *count;
+    struct lpv *lpv; /* NULL: no indirect light */
 } render_frame;
 
 /* Makes the images, draws the G-buffer and the reflective shadow map and turns its texels and the
@@ -127,8 +138,9 @@ const render_pipeline *render_pipeline_find(const char *id); /* NULL: unknown */
 gpu_status render_run(render_frame *frame, const gpu_step *steps, int count,
                       render_statistics *statistics);
 
-/* One frame by a pipeline that was created for it: clears frame->light, runs it and resolves into
- * frame->image. The statistics start as frame->made. */
+/* One frame by a pipeline that was created for it: clears frame->light, runs it, adds the indirect
+ * light that the options ask for (of area lights, and of the shadow map's texels where the pipeline
+ * shows them) and resolves into frame->image. The statistics start as frame->made. */
 gpu_status render_frame_run(render_frame *frame, const render_pipeline *pipeline, void *state,
                             render_statistics *statistics);
 

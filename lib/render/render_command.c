@@ -1,6 +1,7 @@
 /* sgfit render: a scene by one pipeline, its pictures and its numbers. */
 #include "render_command.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,17 +11,19 @@
 #include "base/json.h"
 #include "base/options.h"
 #include "base/text.h"
+#include "lpv.h"
 #include "output.h"
 #include "sg.h"
 
 typedef struct settings {
     const char *scene, *scene_dir, *pipeline, *size, *compare, *method, *device;
-    const char *out, *png, *stats, *dump, *profile;
+    const char *out, *png, *stats, *dump, *profile, *indirect;
     bool layers, detailed;
-    long runs;
+    long runs, volume, steps;
 } settings;
 
 enum { LARGEST_SIDE = 16384, MOST_RUNS = 1000 };
+static const long not_given = LONG_MIN;
 
 /* ---- Arguments ----------------------------------------------------------------------- */
 
@@ -59,6 +62,30 @@ static bool read_size(const char *text, render_options *options)
     return false;
 }
 
+static bool read_indirect(const settings *s, render_options *options)
+{
+    bool lpv = s->indirect && strcmp(s->indirect, "lpv") == 0;
+    const long values[] = {s->volume, s->steps}, most[] = {LPV_MOST_VOLUME, LPV_MOST_STEPS};
+    static const char *const names[] = {"volume", "steps"};
+    for (int i = 0; i < 2; i++) {
+        if (values[i] == not_given)
+            continue;
+        if (values[i] < 1 || values[i] > most[i]) {
+            base_error("--%s: expected a number from 1 to %ld, found %ld", names[i], most[i],
+                       values[i]);
+            return false;
+        }
+        if (!lpv) {
+            base_error("--%s: expected --indirect lpv, whose volume it is about", names[i]);
+            return false;
+        }
+    }
+    options->indirect = lpv ? RENDER_INDIRECT_LPV : RENDER_INDIRECT_NONE;
+    options->volume = s->volume == not_given ? 0 : (uint32_t)s->volume;
+    options->steps = s->steps == not_given ? 0 : (uint32_t)s->steps;
+    return true;
+}
+
 static int read_arguments(int argc, char **argv, settings *s)
 {
     const base_option options[] = {
@@ -75,6 +102,12 @@ static int read_arguments(int argc, char **argv, settings *s)
          "integrate lobes by this method of the registry (default: standard)", NULL},
         {"detailed-normals", BASE_FLAG, &s->detailed, NULL,
          "add strong procedural bumps to the shading normals", NULL},
+        {"indirect", BASE_CHOICE, &s->indirect, "none|lpv",
+         "add one diffuse bounce, by a light propagation volume (default: none)", NULL},
+        {"volume", BASE_LONG, &s->volume, "N",
+         "voxels along the volume's longest side (default: 24)", NULL},
+        {"steps", BASE_LONG, &s->steps, "N", "how often light moves on in the volume (default: 48)",
+         NULL},
         {"runs", BASE_LONG, &s->runs, "N", "times are medians of N runs (default: 1)", NULL},
         {"out", BASE_STRING, &s->out, "FILE.exr", "write linear radiance", NULL},
         {"layers", BASE_FLAG, &s->layers, NULL,
@@ -222,7 +255,11 @@ static bool render(const settings *s, const render_options *options,
 
 int render_command(int argc, char **argv)
 {
-    settings s = {.size = "1280x720", .runs = 1, .device = "llvmpipe"};
+    settings s = {.size = "1280x720",
+                  .runs = 1,
+                  .volume = not_given,
+                  .steps = not_given,
+                  .device = "llvmpipe"};
     int status = read_arguments(argc, argv, &s);
     if (status >= 0)
         return status;
@@ -235,6 +272,8 @@ int render_command(int argc, char **argv)
         return BASE_USAGE;
     }
     options.runs = (int)s.runs;
+    if (!read_indirect(&s, &options))
+        return BASE_USAGE;
     if (s.method && !sg_method_find(s.method)) {
         base_error("--method: expected one that sgfit methods lists, found \"%s\"", s.method);
         return BASE_USAGE;

@@ -111,11 +111,17 @@ static gpu_status create_lights(render_frame *frame, shadows *s)
 
 gpu_status shadows_create(render_frame *frame, shadows *s)
 {
-    enum { MOST_LIGHTS = 100000 }; /* whose points fill a buffer of 128 MiB */
     *s = (shadows){0};
     if (frame->scene->area_light_count == 0)
         return gpu_fail(GPU_UNSUPPORTED, "shadows are those of area lights, and \"%s\" has none",
                         frame->scene->name ? frame->scene->name : "the scene");
+    return shadows_create_any(frame, s);
+}
+
+gpu_status shadows_create_any(render_frame *frame, shadows *s)
+{
+    enum { MOST_LIGHTS = 100000 }; /* whose points fill a buffer of 128 MiB */
+    *s = (shadows){0};
     if (frame->scene->area_light_count > MOST_LIGHTS)
         return gpu_fail(GPU_UNSUPPORTED, "%zu area lights with shadows are more than %d",
                         frame->scene->area_light_count, MOST_LIGHTS);

@@ -19,6 +19,8 @@ typedef struct shadows {
 
 /* One clear line where the scene has no area light, or there is no Embree. */
 gpu_status shadows_create(render_frame *frame, shadows *shadows);
+/* The same for a scene that may have none. */
+gpu_status shadows_create_any(render_frame *frame, shadows *shadows);
 void shadows_destroy(shadows *shadows);
 
 /* A pass with the bindings of area.glsl and count more after them. */
