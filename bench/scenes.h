@@ -124,6 +124,10 @@ bool scenes_flicker(const scenes_plan *plan);
 bool scenes_choice(const scenes_plan *plan);
 /* Area lights with shadows: shadows.csv, shadows/. */
 bool scenes_shadows(const scenes_plan *plan);
+/* The same by other thresholds of refinement: area_refinement.csv. */
+bool scenes_area_refinement(const scenes_plan *plan);
+/* The same while camera and lights move: area_flicker.csv. */
+bool scenes_area_flicker(const scenes_plan *plan);
 /* Virtual spherical Gaussian lights by every method: lobes.csv, lobes/. */
 bool scenes_lobes(const scenes_plan *plan);
 
@@ -133,6 +137,9 @@ bool scenes_tune(const scenes_plan *plan);
 /* Runs a part that writes one CSV of the built-in scene. False after one line. */
 typedef bool (*scenes_work)(const scenes_plan *plan, const render_scene *scene, FILE *out);
 bool scenes_of_box(const scenes_plan *plan, const char *name, const char *header, scenes_work work);
+/* The same of the built-in scene lit by area lights. */
+bool scenes_of_area_box(const scenes_plan *plan, const char *name, const char *header,
+                        scenes_work work);
 
 /* The descriptions that the plan covers (a quick one: only the first view of each scene), those lit
  * by area lights (NAME_area.json) or the others: paths, free with base_list_free. */

@@ -51,10 +51,11 @@ bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *coun
     return good;
 }
 
-bool scenes_of_box(const scenes_plan *plan, const char *name, const char *header, scenes_work work)
+static bool of_scene(const scenes_plan *plan, const char *path, const char *name,
+                     const char *header, scenes_work work)
 {
     render_scene scene;
-    char *path = render_scene_default(), *csv = base_join(plan->out, name);
+    char *csv = base_join(plan->out, name);
     bool good = render_scene_read(path, plan->folder, &scene);
     if (good) {
         base_output output;
@@ -69,8 +70,24 @@ bool scenes_of_box(const scenes_plan *plan, const char *name, const char *header
         }
         render_scene_free(&scene);
     }
-    free(path);
     free(csv);
+    return good;
+}
+
+bool scenes_of_box(const scenes_plan *plan, const char *name, const char *header, scenes_work work)
+{
+    char *path = render_scene_default();
+    bool good = of_scene(plan, path, name, header, work);
+    free(path);
+    return good;
+}
+
+bool scenes_of_area_box(const scenes_plan *plan, const char *name, const char *header,
+                        scenes_work work)
+{
+    char *path = base_join(base_source_root(), "tests/scenes/box_area.json");
+    bool good = of_scene(plan, path, name, header, work);
+    free(path);
     return good;
 }
 

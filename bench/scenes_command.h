@@ -7,7 +7,9 @@
 /* The parts, in the order of their run; X(part) is called with each, whose work is the function
  * scenes_PART of scenes.h. */
 #define SCENES_PARTS(X)                                                                            \
-    X(views) X(rates) X(paper) X(growth) X(flicker) X(shadows) X(lobes) X(choice)
+    X(views)                                                                                       \
+    X(rates) X(paper) X(growth) X(flicker) X(shadows) X(area_refinement) X(area_flicker) X(lobes)  \
+        X(choice)
 
 /* Only where they are asked for by name. */
 #define SCENES_EXTRA_PARTS(X) X(tune)

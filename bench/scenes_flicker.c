@@ -9,12 +9,12 @@
 #include "base/progress.h"
 #include "base/text.h"
 #include "scenes.h"
+#include "scenes_film.h"
 
-enum { WIDTH = 480, HEIGHT = 270, PIXELS = WIDTH * HEIGHT, FRAMES = 60, QUICK_FRAMES = 6 };
+enum { WIDTH = 480, HEIGHT = 270, FRAMES = 60, QUICK_FRAMES = 6, MOST_PIPELINES = 16 };
 static const char *const pipelines[] = {"meder",        "hull",         "hull_lobe",
                                         "upsample2",    "upsample4",    "upsample8",
                                         "upsample_sh8", "upsample_far", NULL};
-enum { PIPELINES = sizeof pipelines / sizeof *pipelines }; /* with `exact` */
 
 /* The last three frames of one pipeline, and its sums over pixels and frames. */
 typedef struct history {
@@ -24,16 +24,17 @@ typedef struct history {
 } history;
 
 typedef struct film {
-    history of[PIPELINES];
+    history of[MOST_PIPELINES]; /* the truth first */
+    size_t pixels;
     int frame;
     size_t at;   /* pipeline that comes next */
     double mean; /* of the truth in this frame */
 } film;
 
-static double mean_of(const float *truth)
+static double mean_of(size_t pixels, const float *truth)
 {
     double sum = 0.0, count = 0.0;
-    for (size_t i = 0; i < PIXELS; i++)
+    for (size_t i = 0; i < pixels; i++)
         if (truth[4 * i + 3] != 0.0f) {
             sum += (double)truth[4 * i] + (double)truth[4 * i + 1] + (double)truth[4 * i + 2];
             count += 3.0;
@@ -47,18 +48,19 @@ static double second_difference(float *const frames[3], size_t i)
 }
 
 /* Over pixels that show a surface in all three frames. */
-static void accumulate(history *h, const history *truth, double mean)
+static void accumulate(size_t pixels, history *h, const history *truth, double mean)
 {
-    for (size_t p = 0; p < PIXELS; p++) {
+    double values = 3.0 * (double)pixels;
+    for (size_t p = 0; p < pixels; p++) {
         bool there = true;
         for (int t = 0; t < 3; t++)
             there = there && truth->light[t][4 * p + 3] != 0.0f;
         for (size_t c = 0; c < 3 && there; c++) {
             double all = second_difference(h->light, 4 * p + c) / mean,
                    real = second_difference(truth->light, 4 * p + c) / mean;
-            h->own += (all - real) * (all - real) / (3.0 * PIXELS);
-            h->all += all * all / (3.0 * PIXELS);
-            h->truth += real * real / (3.0 * PIXELS);
+            h->own += (all - real) * (all - real) / values;
+            h->all += all * all / values;
+            h->truth += real * real / values;
         }
     }
 }
@@ -70,36 +72,41 @@ static bool look(void *context, render_frame *frame, const scenes_row *row, cons
     (void)frame;
     (void)row;
     (void)errors;
+    if (f->at == MOST_PIPELINES)
+        return true;
     history *h = &f->of[f->at];
     float *oldest = h->light[0];
     h->light[0] = h->light[1];
     h->light[1] = h->light[2];
     h->light[2] = oldest;
-    memcpy(oldest, light, (size_t)PIXELS * 4 * sizeof *oldest);
+    memcpy(oldest, light, f->pixels * 4 * sizeof *oldest);
     if (f->at == 0)
-        f->mean = mean_of(truth);
+        f->mean = mean_of(f->pixels, truth);
     if (f->frame >= 2)
-        accumulate(h, &f->of[0], f->mean);
+        accumulate(f->pixels, h, &f->of[0], f->mean);
     f->at++;
     return true;
 }
 
-/* The eye swings around its target by 6 degrees there and back; the light's target moves by a tenth
- * of the scene's size. */
-static void pose(render_scene *scene, const render_scene *base, int frame, int frames, bool light)
+/* A swing: 0 in the first frame, 1, 0, -1, and 0 again after the last. */
+static double swing(int frame, int frames)
 {
-    double t = sin(2.0 * 3.14159265358979323846 * frame / (double)frames);
-    scene->camera = base->camera;
-    scene->spot = base->spot;
-    if (light) {
-        scene->spot.target[0] = base->spot.target[0] + 0.1 * t * (base->high[0] - base->low[0]);
-        return;
-    }
+    return sin(2.0 * 3.14159265358979323846 * frame / (double)frames);
+}
+
+void scenes_swing_camera(render_scene *scene, const render_scene *base, double t)
+{
     double angle = t * 6.0 * 3.14159265358979323846 / 180.0,
            x = base->camera.eye[0] - base->camera.target[0],
            z = base->camera.eye[2] - base->camera.target[2];
     scene->camera.eye[0] = base->camera.target[0] + x * cos(angle) - z * sin(angle);
     scene->camera.eye[2] = base->camera.target[2] + x * sin(angle) + z * cos(angle);
+}
+
+/* The light's target moves by a tenth of the scene's size. */
+static void swing_spot(render_scene *scene, const render_scene *base, double t)
+{
+    scene->spot.target[0] = base->spot.target[0] + 0.1 * t * (base->high[0] - base->low[0]);
 }
 
 static void write_film(FILE *out, const char *what, const film *f, const scenes_table *names)
@@ -114,33 +121,35 @@ static void write_film(FILE *out, const char *what, const film *f, const scenes_
     }
 }
 
-static bool shoot(const scenes_plan *plan, const render_scene *base, bool light, FILE *out,
-                  base_progress *progress)
+bool scenes_shoot(const scenes_plan *plan, const render_scene *base, const scenes_film *shot,
+                  FILE *out)
 {
-    film f = {.frame = 0};
-    for (size_t i = 0; i < PIPELINES; i++)
+    film f = {.pixels = (size_t)shot->width * shot->height};
+    for (size_t i = 0; i < MOST_PIPELINES; i++)
         for (int t = 0; t < 3; t++)
-            f.of[i].light[t] = base_allocate((size_t)PIXELS * 4 * sizeof(float));
-    int frames = plan->quick ? QUICK_FRAMES : FRAMES;
-    render_scene scene = *base;
+            f.of[i].light[t] = base_allocate(f.pixels * 4 * sizeof(float));
+    base_progress *progress = base_progress_begin("flicker", (size_t)shot->frames);
     scenes_table table = {0};
     bool good = true;
-    for (f.frame = 0; f.frame < frames && good; f.frame++) {
-        pose(&scene, base, f.frame, frames, light);
+    for (f.frame = 0; f.frame < shot->frames && good; f.frame++) {
+        render_scene scene = *base;
+        shot->move(&scene, base, swing(f.frame, shot->frames));
         f.at = 0;
         scenes_table_free(&table);
         scenes_view view = {.device = plan->device,
                             .scene = &scene,
                             .name = base->name,
-                            .width = WIDTH,
-                            .height = HEIGHT};
-        good = scenes_measure(&view, pipelines, look, &f, &table);
-        base_progress_step(progress, light ? "moving light" : "moving camera");
+                            .width = shot->width,
+                            .height = shot->height,
+                            .truth = shot->truth};
+        good = scenes_measure(&view, shot->pipelines, look, &f, &table);
+        base_progress_step(progress, shot->moving);
     }
+    base_progress_end(progress);
     if (good)
-        write_film(out, light ? "light" : "camera", &f, &table);
+        write_film(out, shot->moving, &f, &table);
     scenes_table_free(&table);
-    for (size_t i = 0; i < PIPELINES; i++)
+    for (size_t i = 0; i < MOST_PIPELINES; i++)
         for (int t = 0; t < 3; t++)
             free(f.of[i].light[t]);
     return good;
@@ -148,15 +157,19 @@ static bool shoot(const scenes_plan *plan, const render_scene *base, bool light,
 
 static bool both_films(const scenes_plan *plan, const render_scene *scene, FILE *out)
 {
-    base_progress *progress =
-        base_progress_begin("flicker", 2 * (plan->quick ? QUICK_FRAMES : FRAMES));
-    bool good = shoot(plan, scene, false, out, progress) && shoot(plan, scene, true, out, progress);
-    base_progress_end(progress);
-    return good;
+    scenes_film film = {.moving = "camera",
+                        .pipelines = pipelines,
+                        .width = WIDTH,
+                        .height = HEIGHT,
+                        .frames = plan->quick ? QUICK_FRAMES : FRAMES,
+                        .move = scenes_swing_camera};
+    bool good = scenes_shoot(plan, scene, &film, out);
+    film.moving = "light";
+    film.move = swing_spot;
+    return good && scenes_shoot(plan, scene, &film, out);
 }
 
 bool scenes_flicker(const scenes_plan *plan)
 {
-    return scenes_of_box(plan, "flicker.csv", "moving,pipeline,own_rms,ratio_to_truth\n",
-                         both_films);
+    return scenes_of_box(plan, "flicker.csv", SCENES_FILM_COLUMNS, both_films);
 }

@@ -5,15 +5,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/buffer.h"
 #include "base/file.h"
 #include "base/progress.h"
 #include "base/text.h"
-#include "scenes.h"
+#include "scenes_area.h"
 #include "scenes_gallery.h"
 
 enum { MOST_PIPELINES = 32 };
 
-static uint64_t fragments_of(const render_statistics *statistics)
+/* The rows, and the structural similarity of each. */
+typedef struct measured {
+    scenes_table table;
+    double *ssim;
+    size_t ssim_count;
+    char *pictures; /* NULL: none of this view */
+} measured;
+
+uint64_t scenes_fragments(const render_statistics *statistics)
 {
     uint64_t sum = 0;
     for (int level = 0; level < RENDER_LEVELS; level++)
@@ -21,31 +30,141 @@ static uint64_t fragments_of(const render_statistics *statistics)
     return sum;
 }
 
-static bool write_csv(const scenes_table *table, const char *path)
+/* ---- The table ------------------------------------------------------------------------------- */
+
+static double share(double part, double whole)
+{
+    return whole > 0.0 ? part / whole : 0.0;
+}
+
+/* The row of the same view by nichols; the row itself where there is none. */
+static const scenes_row *nichols_of(const scenes_table *table, const scenes_row *row)
+{
+    for (size_t i = 0; i < table->count; i++) {
+        const scenes_row *other = &table->rows[i];
+        if (strcmp(other->scene, row->scene) == 0 && other->width == row->width &&
+            strcmp(other->pipeline, "nichols") == 0)
+            return other;
+    }
+    return row;
+}
+
+/* Of the passes that trace rays and refine. */
+static double visibility_ms(const render_statistics *s)
+{
+    static const char *const words[] = {"visibility", "refinement", "shadows", "gather", "rays"};
+    double sum = 0.0;
+    for (int t = 0; t < s->time_count; t++) {
+        bool found = false;
+        for (size_t w = 0; w < sizeof words / sizeof *words; w++)
+            found = found || strstr(s->times[t].name, words[w]) != NULL;
+        if (strncmp(s->times[t].name, "reset", 5) != 0 && found)
+            sum += s->times[t].ms;
+    }
+    return sum;
+}
+
+static void write_row(FILE *out, const measured *m, size_t i)
+{
+    const scenes_row *row = &m->table.rows[i], *rival = nichols_of(&m->table, row);
+    const render_statistics *s = &row->statistics;
+    double fragments = (double)scenes_fragments(s),
+           theirs = (double)scenes_fragments(&rival->statistics),
+           covered = (double)(s->pixels_covered + s->pixels_uncovered);
+    const double numbers[] = {row->error.rel,
+                              row->error.p50,
+                              row->error.p99,
+                              row->error.bias,
+                              i < m->ssim_count ? m->ssim[i] : 1.0,
+                              fragments,
+                              100.0 * share(fragments, covered),
+                              100.0 * share(fragments, theirs),
+                              (double)s->samples,
+                              (double)s->visibility_rays,
+                              visibility_ms(s),
+                              row->lighting_ms,
+                              share(row->truth_ms, row->lighting_ms),
+                              share(rival->lighting_ms, row->lighting_ms)};
+    fprintf(out, "%s,%" PRIu32 ",%" PRIu32 ",%s", row->scene, row->width, row->height,
+            row->pipeline);
+    for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++) {
+        char text[BASE_NUMBER_SIZE];
+        fprintf(out, ",%s", base_shortest_f64(numbers[n], text));
+    }
+    fputc('\n', out);
+}
+
+static bool write_csv(const measured *m, const char *path)
 {
     base_output output;
     if (!base_output_open(&output, path))
         return false;
-    fputs("scene,width,height,pipeline,rel,p50,p99,bias,fragments,fragments_percent,samples,"
-          "visibility_rays,lighting_ms,times_faster_than_shadows\n",
+    fputs("scene,width,height,pipeline,rel,p50,p99,bias,ssim,fragments,fragments_percent,"
+          "percent_of_nichols,samples,visibility_rays,visibility_ms,lighting_ms,"
+          "times_faster_than_shadows,times_faster_than_nichols\n",
           output.stream);
-    for (size_t i = 0; i < table->count; i++) {
-        const scenes_row *row = &table->rows[i];
-        const render_statistics *s = &row->statistics;
-        uint64_t fragments = fragments_of(s);
-        double covered = (double)(s->pixels_covered + s->pixels_uncovered);
-        char text[8][BASE_NUMBER_SIZE];
-        fprintf(
-            output.stream, "%s,%u,%u,%s,%s,%s,%s,%s,%" PRIu64 ",%s,%" PRIu64 ",%" PRIu64 ",%s,%s\n",
-            row->scene, row->width, row->height, row->pipeline,
-            base_shortest_f64(row->error.rel, text[0]), base_shortest_f64(row->error.p50, text[1]),
-            base_shortest_f64(row->error.p99, text[2]), base_shortest_f64(row->error.bias, text[3]),
-            fragments,
-            base_shortest_f64(covered > 0.0 ? 100.0 * (double)fragments / covered : 0.0, text[4]),
-            s->samples, s->visibility_rays, base_shortest_f64(row->lighting_ms, text[5]),
-            base_shortest_f64(row->truth_ms / row->lighting_ms, text[6]));
-    }
+    for (size_t i = 0; i < m->table.count; i++)
+        write_row(output.stream, m, i);
     return base_output_close(&output);
+}
+
+/* ---- Pictures -------------------------------------------------------------------------------- */
+
+bool scenes_fragment_map(const scenes_plan *plan, const render_scene *scene, uint32_t width,
+                         uint32_t height, const char *pipeline, const char *path)
+{
+    const render_pipeline *by = render_pipeline_find(pipeline);
+    render_options options = {.width = width, .height = height, .runs = 1};
+    render_statistics statistics;
+    render_frame frame;
+    void *state = NULL;
+    gpu_status status = render_frame_create(plan->device, scene, &options, &frame);
+    if (status != GPU_OK) {
+        base_error("%s: %s", path, gpu_last_error());
+        return false;
+    }
+    status = by->create(&frame, &state);
+    if (status == GPU_OK)
+        status = render_frame_run(&frame, by, state, &statistics);
+    bool good = status == GPU_OK;
+    if (!good)
+        base_error("%s: %s", path, gpu_last_error());
+    char *made = base_join(plan->out, "fragments.png");
+    good = good && by->dump(&frame, state, plan->out);
+    if (good && rename(made, path) != 0) {
+        base_error("%s: cannot be written", path);
+        good = false;
+    }
+    free(made);
+    if (state)
+        by->destroy(state);
+    render_frame_destroy(&frame);
+    return good;
+}
+
+static bool maps(const scenes_plan *plan, const scenes_view *view, const char *pictures)
+{
+    static const char *const ids[] = {"multires", "nichols"};
+    bool good = true;
+    for (size_t i = 0; i < 2 && good; i++) {
+        char name[3 * SCENES_NAME];
+        snprintf(name, sizeof name, "%s_%s_fragments.png", view->name, ids[i]);
+        char *path = base_join(pictures, name);
+        good = scenes_fragment_map(plan, view->scene, view->width, view->height, ids[i], path);
+        free(path);
+    }
+    return good;
+}
+
+/* ---- Measuring ------------------------------------------------------------------------------- */
+
+static bool look(void *context, render_frame *frame, const scenes_row *row, const float *light,
+                 const float *truth, const float *errors)
+{
+    measured *m = context;
+    m->ssim = base_reallocate(m->ssim, (m->ssim_count + 1) * sizeof *m->ssim);
+    m->ssim[m->ssim_count++] = render_ssim(row->width, row->height, frame->gain, light, truth);
+    return scenes_gallery(m->pictures, frame, row, light, truth, errors);
 }
 
 static void pipelines_with_shadows(const char *ids[MOST_PIPELINES])
@@ -57,10 +176,10 @@ static void pipelines_with_shadows(const char *ids[MOST_PIPELINES])
     ids[count] = NULL;
 }
 
-static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
-                      scenes_table *table, base_progress *progress)
+static bool one_scene(const scenes_plan *plan, const char *path, char *pictures, measured *m,
+                      base_progress *progress)
 {
-    static const uint32_t full[][2] = {{1024, 768}, {1920, 1080}}, quick[][2] = {{640, 480}};
+    static const uint32_t full[][2] = {{1024, 768}, {1920, 1080}}, quick[][2] = {{256, 192}};
     const uint32_t(*sizes)[2] = plan->quick ? quick : full;
     const char *ids[MOST_PIPELINES];
     pipelines_with_shadows(ids);
@@ -75,8 +194,12 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
                             .width = sizes[s][0],
                             .height = sizes[s][1],
                             .truth = "shadows",
-                            .runs = plan->quick ? 1 : 3};
-        good = scenes_measure(&view, ids, scenes_gallery, s == 0 ? pictures : NULL, table);
+                            .warm = plan->warm,
+                            .runs = plan->quick || s > 0 ? 1 : 3,
+                            .truth_once = s > 0};
+        m->pictures = s == 0 ? pictures : NULL;
+        good = scenes_measure(&view, ids, look, m, &m->table) &&
+               (s > 0 || maps(plan, &view, pictures));
         base_progress_step(progress, scene.name);
     }
     render_scene_free(&scene);
@@ -91,17 +214,18 @@ bool scenes_shadows(const scenes_plan *plan)
         return true;
     if (!scenes_list(plan, true, &paths, &count))
         return false;
-    scenes_table table = {0};
+    measured m = {.ssim = NULL};
     char *pictures = base_join(plan->out, "shadows"), *csv = base_join(plan->out, "shadows.csv");
     bool good = base_make_directory(pictures);
     base_progress *progress = base_progress_begin("shadows", count * (plan->quick ? 1 : 2));
     for (size_t i = 0; i < count && good; i++)
-        good = one_scene(plan, paths[i], pictures, &table, progress);
+        good = one_scene(plan, paths[i], pictures, &m, progress);
     base_progress_end(progress);
-    good = good && write_csv(&table, csv);
+    good = good && write_csv(&m, csv);
     free(pictures);
     free(csv);
-    scenes_table_free(&table);
+    free(m.ssim);
+    scenes_table_free(&m.table);
     base_list_free(paths, count);
     return good;
 }

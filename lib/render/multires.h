@@ -59,6 +59,10 @@ bool multires_dump(const render_frame *frame, const multires *m, const char *fol
 gpu_status multires_create_state(render_frame *frame, const multires_settings *settings,
                                  void **state);
 
+/* The same for nichols_pipeline: differing, plane_limit and normal_limit count. */
+gpu_status nichols_create_state(render_frame *frame, const multires_settings *settings,
+                                void **state);
+
 extern const render_pipeline multires_pipeline, multires_same_pipeline, multires_apart_pipeline,
     multires_lobe_pipeline,
     nichols_pipeline;

@@ -7,6 +7,8 @@
 
 typedef struct state {
     multires m;
+    multires_push *push; /* of each level, for each part of the lights */
+    uint32_t parts;
     gpu_buffer *visible;
     gpu_compute *trace, *refine, *upsample;
 } state;
@@ -19,6 +21,7 @@ static void destroy(void *pointer)
     gpu_compute_destroy(s->refine);
     gpu_compute_destroy(s->upsample);
     multires_destroy(&s->m);
+    free(s->push);
     free(s);
 }
 
@@ -33,14 +36,29 @@ static gpu_status create_visible(render_frame *frame, state *s)
     return gpu_buffer_create(frame->device, bytes, &s->visible);
 }
 
-static gpu_status create(render_frame *frame, void **pointer)
+/* Lights of which an invocation traces all rays before a driver may end its loops. */
+static void make_parts(state *s)
+{
+    enum { AT_ONCE = 3 };
+    uint32_t lights = s->m.shadows.light_count;
+    s->parts = lights > AT_ONCE ? (lights + AT_ONCE - 1) / AT_ONCE : 1;
+    s->push = base_allocate(s->parts * RENDER_LEVELS * sizeof *s->push);
+    for (uint32_t i = 0; i < s->parts * RENDER_LEVELS; i++) {
+        s->push[i] = s->m.push[i / s->parts];
+        s->push[i].first_light = i % s->parts * AT_ONCE;
+        if (i % s->parts + 1 < s->parts)
+            s->push[i].last_light = s->push[i].first_light + AT_ONCE;
+    }
+}
+
+gpu_status nichols_create_state(render_frame *frame, const multires_settings *own, void **pointer)
 {
     static const gpu_binding image = GPU_STORAGE_IMAGE, buffer = GPU_STORAGE_BUFFER;
     *pointer = NULL;
     state *s = base_allocate(sizeof *s);
     *s = (state){0};
-    multires_settings settings = multires_default;
-    settings.together = 1;
+    multires_settings settings = *own;
+    settings.together = 64;
     gpu_status status = multires_create(frame, &settings, &s->m);
     if (status == GPU_OK)
         status = create_visible(frame, s);
@@ -50,11 +68,18 @@ static gpu_status create(render_frame *frame, void **pointer)
         status = multires_compute(frame, "nichols/refine.comp", &buffer, &s->refine);
     if (status == GPU_OK)
         status = multires_compute(frame, "nichols/upsample.comp", &image, &s->upsample);
-    if (status == GPU_OK)
+    if (status == GPU_OK) {
+        make_parts(s);
         *pointer = s;
-    else
+    } else {
         destroy(s);
+    }
     return status;
+}
+
+static gpu_status create(render_frame *frame, void **pointer)
+{
+    return nichols_create_state(frame, &multires_default, pointer);
 }
 
 /* A dispatch over all fragments of a level. */
@@ -77,17 +102,22 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
     static const char *const up[] = {"upsampling to 1", "upsampling to 2", "upsampling to 4",
                                      "upsampling to 8", "upsampling to 16"};
     const state *s = pointer;
-    gpu_step steps[32];
+    gpu_step *steps = base_allocate((32 + s->parts * RENDER_LEVELS) * sizeof *steps);
     int count = multires_begin(frame, &s->m, steps);
     steps[count++] = (gpu_step){.name = "reset visibility", .fill = s->visible};
     for (int l = RENDER_LEVELS - 1; l >= 0; l--) {
-        steps[count++] = multires_list_step(frame, &s->m, traced[l], s->trace, l, l, s->visible);
+        for (uint32_t part = 0; part < s->parts; part++) {
+            steps[count] = multires_list_step(frame, &s->m, traced[l], s->trace, l, l, s->visible);
+            steps[count++].push = &s->push[(uint32_t)l * s->parts + part];
+        }
         if (l > 0)
             steps[count++] = level_step(frame, s, refined[l], s->refine, l, 8, 8, s->visible);
     }
     for (int l = RENDER_LEVELS - 1; l >= 0; l--)
         steps[count++] = level_step(frame, s, up[l], s->upsample, l, 16, 8, frame->light);
-    return shadows_run(frame, steps, count, statistics);
+    gpu_status status = shadows_run(frame, steps, count, statistics);
+    free(steps);
+    return status;
 }
 
 static bool dump(render_frame *frame, void *pointer, const char *folder)
