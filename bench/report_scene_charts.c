@@ -54,17 +54,18 @@ bool scenes_find_columns(const scenes_reader *r, const char *const *names, int *
 /* ---- Charts -----------------------------------------------------------------------------------
  */
 
-enum { MOST_SERIES = 9 };
+enum { MOST_SERIES = 14 };
 
 typedef struct chart {
     const char *file, *x, *y;
     const char *filter, *value; /* rows whose column filter is value; NULL: all */
+    const char *const *order;   /* of the series; NULL: known */
 } chart;
 
 /* Colours are those of this order, so that a pipeline has one colour in all charts. */
-static const char *const known[] = {"hull",      "hull_lobe", "meder",        "upsample2",
-                                    "upsample4", "upsample8", "upsample_sh8", "upsample_far"};
-enum { KNOWN = sizeof known / sizeof *known };
+static const char *const known[] = {
+    "hull",         "hull_lobe",    "meder",        "upsample2",    "upsample4", "upsample8",
+    "upsample_sh8", "upsample_far", "upsample_sh4", "upsample_sh2", NULL};
 
 static int series_of(char names[MOST_SERIES][64], int *count, const char *pipeline)
 {
@@ -119,12 +120,13 @@ static bool has_any(const data_table *data, size_t column)
 
 static bool draw_chart(report *report, const chart *c, plot *p)
 {
-    static const char *const columns[] = {"x",  "s1", "s2", "s3", "s4", "s5",
-                                          "s6", "s7", "s8", "s9", NULL};
+    static const char *const columns[] = {"x",  "s1", "s2",  "s3",  "s4",  "s5",  "s6",  "s7",
+                                          "s8", "s9", "s10", "s11", "s12", "s13", "s14", NULL};
     char names[MOST_SERIES][64];
     int count = 0, drawn = 0;
-    while (count < KNOWN)
-        series_of(names, &count, known[count]);
+    const char *const *order = c->order ? c->order : known;
+    while (order[count])
+        series_of(names, &count, order[count]);
     data_table *data = data_new(columns);
     bool good = read_chart(report, c, data, names, &count);
     plot_series series[MOST_SERIES];
@@ -140,6 +142,52 @@ static bool draw_chart(report *report, const chart *c, plot *p)
     return good;
 }
 
+/* ---- Steps ------------------------------------------------------------------------------------
+ */
+
+typedef struct scene_names {
+    char of[16][64];
+    int count;
+} scene_names;
+
+static void add_scene(void *context, const scenes_fields *f)
+{
+    scene_names *s = context;
+    if (s->count == 0 || strcmp(s->of[s->count - 1], f->text[0]) != 0) {
+        if (s->count < 16)
+            snprintf(s->of[s->count++], sizeof s->of[0], "%s", f->text[0]);
+    }
+}
+
+/* A panel a scene. */
+static bool step_charts(report *report)
+{
+    static const char *const order[] = {"hull",         "hull_lobe",  "meder",   "lobes",
+                                        "lobes_split",  "lobes_near", "moments", "moments_split",
+                                        "moments_near", NULL};
+    static const char *const columns[] = {"scene", NULL};
+    scene_names scenes = {.count = 0};
+    if (!scenes_each_row(report, "steps.csv", columns, add_scene, &scenes))
+        return false;
+    if (scenes.count == 0)
+        return true;
+    bool good = true;
+    figure_begin(report->page, "scene_steps");
+    for (int i = 0; i < scenes.count && good; i++) {
+        char id[96];
+        snprintf(id, sizeof id, "scene_steps_%s", scenes.of[i]);
+        plot steps = {.id = id, .title = scenes.of[i], .x_label = "lighting, ms", .y_label = "rel"};
+        chart c = {"steps.csv", "lighting_ms", "rel", "scene", scenes.of[i], order};
+        good = draw_chart(report, &c, &steps);
+    }
+    figure_end(report->page,
+               "What every refinement buys: from the paper's hull (`meder`) over lobes with exact "
+               "moments (`lobes`) and moments up to order 2 with gradients and order 4 of the "
+               "luminance (`moments`), each with quads split where light bends, with near lights "
+               "exact, or with both (`hull_lobe`, `hull`).");
+    return good;
+}
+
 bool report_scene_charts(report *report)
 {
     page *page = report->page;
@@ -148,16 +196,18 @@ bool report_scene_charts(report *report)
                   .title = "all views, smooth normals",
                   .x_label = "lighting, ms",
                   .y_label = "rel"};
-    bool good = draw_chart(report, &(chart){"views.csv", "lighting_ms", "rel", "normals", "smooth"},
-                           &error);
+    bool good = draw_chart(
+        report, &(chart){"views.csv", "lighting_ms", "rel", "normals", "smooth", NULL}, &error);
     plot detailed = {.id = "scene_errors_detailed",
                      .title = "all views, detailed normals",
                      .x_label = "lighting, ms",
                      .y_label = "rel"};
-    good = good &&
-           draw_chart(report, &(chart){"views.csv", "lighting_ms", "rel", "normals", "detailed"},
-                      &detailed);
+    good =
+        good &&
+        draw_chart(report, &(chart){"views.csv", "lighting_ms", "rel", "normals", "detailed", NULL},
+                   &detailed);
     figure_end(page, "Error against time on the device, every view and size a point.");
+    good = good && step_charts(report);
     figure_begin(page, "scene_growth");
     plot triangles = {.id = "scene_triangles",
                       .title = "the same hills, finer",
@@ -168,11 +218,13 @@ bool report_scene_charts(report *report)
                    .x_label = "lights",
                    .y_label = "lighting, ms"};
     good = good &&
-           draw_chart(report, &(chart){"growth.csv", "amount", "lighting_ms", "what", "triangles"},
+           draw_chart(report,
+                      &(chart){"growth.csv", "amount", "lighting_ms", "what", "triangles", NULL},
                       &triangles);
-    good = good &&
-           draw_chart(report, &(chart){"growth.csv", "amount", "lighting_ms", "what", "lights"},
-                      &lights);
+    good =
+        good &&
+        draw_chart(report, &(chart){"growth.csv", "amount", "lighting_ms", "what", "lights", NULL},
+                   &lights);
     figure_end(page, "Lighting time over triangles and over lights.");
     return good;
 }

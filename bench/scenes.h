@@ -111,6 +111,8 @@ typedef struct scenes_plan {
 
 /* Every view, size and kind of normals by every pipeline: views.csv, passes.csv, pictures/. */
 bool scenes_views(const scenes_plan *plan);
+/* What each refinement of the hull buys: steps.csv. */
+bool scenes_steps(const scenes_plan *plan);
 /* The paper's table 1: rates.csv. */
 bool scenes_rates(const scenes_plan *plan);
 /* The paper's figures 2 to 4: stages/, paper/, paper.csv. */

@@ -8,6 +8,7 @@
  * scenes_PART of scenes.h. */
 #define SCENES_PARTS(X)                                                                            \
     X(views)                                                                                       \
+    X(steps)                                                                                       \
     X(rates) X(paper) X(growth) X(flicker) X(shadows) X(area_refinement) X(area_flicker) X(lobes)  \
         X(choice)
 

@@ -12,22 +12,14 @@ const hull_settings hull_standard = {
     .tau_width = 3,
     .near_pixels = 16,
 };
-const hull_settings hull_far_standard = {
-    .kind = HULL_UPSAMPLE,
+const hull_settings hull_lobe_standard = {
+    .kind = HULL_LOBES,
+    .link_plane = 0.04F,
+    .link_cosine = 0.5F,
+    .split = 0.15F,
     .tau = 0.2F,
     .tau_width = 3,
     .near_pixels = 16,
-    .factor = 10,
-    .plane = 0.5F,
-    .power = 4,
-    .least = 1e-3F,
-};
-const hull_settings hull_sh_standard = {
-    .kind = HULL_UPSAMPLE,
-    .factor = 8,
-    .plane = 0.5F,
-    .power = 4,
-    .least = 1e-3F,
 };
 
 void hull_destroy(void *state)
@@ -46,6 +38,14 @@ void hull_destroy(void *state)
 static size_t least(size_t a, size_t b)
 {
     return a < b ? a : b;
+}
+
+/* Rows of pairs of blocks that are upsampled at once, of one more row of samples: all where these
+ * find room in bytes. */
+static size_t band_rows(const hull *h, size_t bytes)
+{
+    size_t row = HULL_SAMPLE_BYTES * (size_t)h->push.blocks_x;
+    return row ? least((size_t)h->push.blocks_y + 1, bytes / row - 1) : 0;
 }
 
 /* Storage buffers hold 128 MiB at most; what does not find room is lit exactly. */
@@ -82,7 +82,8 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
         [HULL_B_TILE_LISTS] = 4 * lists,
         [HULL_B_NEAR_LISTS] = 4 * (HULL_MOST_NEAR + 1) * (size_t)h->blocks,
         [HULL_B_NEAR_BLOCKS] = 4 * (size_t)h->blocks,
-        [HULL_B_FAR_SAMPLES] = HULL_SAMPLE_BYTES * (size_t)h->push.blocks_x * h->push.blocks_y,
+        [HULL_B_FAR_SAMPLES] =
+            HULL_SAMPLE_BYTES * (size_t)h->push.blocks_x * (band_rows(h, most) + 1),
     };
     static const bool upsamples[HULL_BUFFERS] = {
         [HULL_B_CONTROL] = true,     [HULL_B_ARGUMENTS] = true,  [HULL_B_EXACT] = true,
@@ -200,10 +201,18 @@ static void add_upsampling(hull_list *l)
         add_near_lists(l);
         hull_add(l, "next", HULL_NEXT, HULL_LEVELS);
     }
-    hull_add_groups(l, "gather", HULL_GATHER_FAR, (h->push.blocks_x * h->push.blocks_y + 63) / 64);
-    gpu_step *step = hull_add(l, "upsample", HULL_UPSAMPLE_FAR, 0);
-    step->groups[0] = (l->frame->width + 63) / 64;
-    step->groups[1] = h->push.blocks_y + 1;
+    /* bands are numbered by the push's level */
+    uint32_t across = h->push.blocks_x,
+             rows = (uint32_t)(gpu_buffer_size(h->buffers[HULL_B_FAR_SAMPLES]) / HULL_SAMPLE_BYTES /
+                               across) -
+                    1;
+    for (uint32_t band = 0; band * rows <= h->push.blocks_y; band++) {
+        hull_add(l, "gather", HULL_GATHER_FAR, (int)band)->groups[0] =
+            (across * (rows + 1) + 63) / 64;
+        gpu_step *step = hull_add(l, "upsample", HULL_UPSAMPLE_FAR, (int)band);
+        step->groups[0] = (l->frame->width + 63) / 64;
+        step->groups[1] = rows;
+    }
 }
 
 gpu_status hull_run(render_frame *frame, void *state, render_statistics *statistics)
@@ -226,15 +235,13 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
     return render_run(frame, l.steps, l.count, statistics);
 }
 
-#define HULL(NAME, ID, TITLE, BASE, ...)                                                           \
+#define HULL(NAME, TITLE)                                                                          \
     static gpu_status create_##NAME(render_frame *frame, void **state)                             \
     {                                                                                              \
-        hull_settings settings = BASE;                                                             \
-        __VA_ARGS__;                                                                               \
-        return hull_create(frame, &settings, state);                                               \
+        return hull_create(frame, &NAME##_standard, state);                                        \
     }                                                                                              \
     const render_pipeline NAME##_pipeline = {                                                      \
-        .id = ID,                                                                                  \
+        .id = #NAME,                                                                               \
         .title = TITLE,                                                                            \
         .create = create_##NAME,                                                                   \
         .run = hull_run,                                                                           \
@@ -242,16 +249,5 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
         .destroy = hull_destroy,                                                                   \
     };
 
-HULL(hull, "hull", "a hull of vertices for the far light, near lights at every pixel",
-     hull_standard, settings.kind = HULL_MOMENTS)
-HULL(hull_lobe, "hull_lobe", "the same with one lobe a colour at each vertex", hull_standard,
-     settings.kind = HULL_LOBES, settings.split = 0.15F, settings.link_cosine = 0.5F)
-HULL(upsample_sh4, "upsample_sh4",
-     "quarter resolution, joint bilateral upsampling of light by moments up to order 2",
-     hull_sh_standard, settings.factor = 4)
-HULL(upsample_sh8, "upsample_sh8",
-     "an eighth of the resolution, joint bilateral upsampling of light by moments up to order 2",
-     hull_sh_standard, settings.factor = 8)
-HULL(upsample_far, "upsample_far",
-     "near lights at every pixel, joint bilateral upsampling of the far light by moments",
-     hull_far_standard, settings.kind = HULL_UPSAMPLE)
+HULL(hull, "a hull of vertices for the far light, near lights at every pixel")
+HULL(hull_lobe, "the same with one lobe a colour at each vertex")

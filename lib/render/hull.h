@@ -32,7 +32,8 @@ typedef struct hull_settings {
     float plane, power, least;         /* of upsampling, see shaders/upsample/sample.glsl */
 } hull_settings;
 
-extern const hull_settings hull_standard, hull_far_standard, hull_sh_standard;
+extern const hull_settings hull_standard, hull_lobe_standard; /* of the pipelines */
+extern const hull_settings hull_far_standard, hull_sh_standard;
 
 gpu_status hull_create(render_frame *frame, const hull_settings *settings, void **state);
 gpu_status hull_run(render_frame *frame, void *state, render_statistics *statistics);
@@ -40,6 +41,8 @@ void hull_destroy(void *state);
 bool hull_dump(render_frame *frame, void *state, const char *folder);
 
 extern const render_pipeline hull_pipeline, hull_lobe_pipeline;
-extern const render_pipeline upsample_sh4_pipeline, upsample_sh8_pipeline, upsample_far_pipeline;
+/* upsample_sh.c */
+extern const render_pipeline upsample_sh2_pipeline, upsample_sh4_pipeline, upsample_sh8_pipeline;
+extern const render_pipeline upsample_far_pipeline;
 
 #endif

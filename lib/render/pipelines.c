@@ -19,6 +19,7 @@ const render_pipeline *const render_pipelines[] = {
     &upsample2_pipeline,
     &upsample4_pipeline,
     &upsample8_pipeline,
+    &upsample_sh2_pipeline,
     &upsample_sh4_pipeline,
     &upsample_sh8_pipeline,
     &upsample_far_pipeline,

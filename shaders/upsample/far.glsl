@@ -15,6 +15,13 @@ struct Sample {
     vec4 position;            // w: view depth, 0 where there is no surface
 };
 
+// Samples are kept of one band of blocks at a time: of this row and those below it; `level` is the band's number,
+// count what there is room for. A band upsamples between as many pairs of rows as it has rows, but one.
+int band_first(uint count)
+{
+    return int(level * (count / blocks_x - 1u)) - 1;
+}
+
 vec3 sample_irradiance(Sample s, vec3 n)
 {
     vec4 s0 = vec4(n * n, 2.0 * n.x * n.y), s1 = vec4(2.0 * n.xy * n.z, n.xy);

@@ -28,12 +28,13 @@ shared Light staged[64];
 void main()
 {
     uint index = gl_GlobalInvocationID.x, count = view.size.z;
-    bool inside = index < blocks_x * blocks_y;
+    ivec2 block = ivec2(index % blocks_x, int(index / blocks_x) + band_first(samples.length()));
+    bool inside = index < samples.length() && block.y >= 0 && block.y < int(blocks_y);
     Sample s = Sample(vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0),
                       vec4(0), vec4(0), vec4(0));
     ivec2 pixel = ivec2(0);
     if (inside)
-        pixel = block_pixel(ivec2(index % blocks_x, index / blocks_x), position_image, s.position);
+        pixel = block_pixel(block, position_image, s.position);
     bool surface = s.position.w > 0.0;
     uvec2 normals = surface ? texelFetch(normal_image, pixel, 0).xy : uvec2(0u);
     vec3 n = unpack_normal(normals.x), face = unpack_normal(normals.y), exact = vec3(0.0);

@@ -35,12 +35,15 @@ void main()
         return;
     int half_block = int(factor) / 2;
     float across = float(x - half_block) / float(factor);
-    ivec2 low = ivec2(int(floor(across)), int(gl_WorkGroupID.y) - 1);
+    int band = band_first(samples.length());
+    ivec2 low = ivec2(int(floor(across)), int(gl_WorkGroupID.y) + band);
+    if (low.y >= int(blocks_y))
+        return;
     ivec2 most = ivec2(blocks_x, blocks_y) - 1;
     Sample near[4];
     for (int i = 0; i < 4; i++) {
         ivec2 block = clamp(low + ivec2(i & 1, i >> 1), ivec2(0), most);
-        near[i] = samples[uint(block.y) * blocks_x + uint(block.x)];
+        near[i] = samples[uint(block.y - band) * blocks_x + uint(block.x)];
     }
     float fx = across - floor(across);
     int first = low.y * int(factor) + half_block;
