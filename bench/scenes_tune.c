@@ -14,10 +14,19 @@
 /* ---- Settings that are tried ------------------------------------------------------------------
  */
 
-enum { MOST = 512, BATCH = 16 };
-static const float planes[] = {0.25F, 0.5F, 1}, powers[] = {2, 8, 32},
-                   leasts[] = {1e-4F, 1e-2F, 0.1F, 0.3F};
-enum { PLANES = 3, POWERS = 3, LEASTS = 4 };
+enum { MOST = 512, BATCH = 16, GRID = 3 };
+
+/* What is tried of a family: lists that end with 0. */
+typedef struct grid {
+    const char *family;
+    uint32_t factors[GRID + 1];
+    float planes[GRID + 1], powers[GRID + 1], leasts[GRID + 1];
+} grid;
+static const grid grids[] = {
+    {"upsample", {2, 4, 8}, {0.25F, 1}, {8, 32}, {0.01F, 0.1F, 0.3F}},
+    {"sh", {4, 8}, {0.5F, 1}, {2, 8}, {0.01F, 0.1F, 0.3F}},
+    {"far", {4, 6, 10}, {0.5F, 1}, {2, 8}, {0.001F, 0.1F}},
+};
 
 typedef struct trial {
     const char *family;
@@ -37,33 +46,28 @@ static const render_pipeline *pipeline_of(const trial *t)
     return t->family[0] == 'u' ? &upsample4_pipeline : &upsample_sh4_pipeline;
 }
 
-static void add_weights(trial *trials, size_t *count, const trial *base)
+static trial make_trial(const grid *g, int factor, int plane, int power, int least)
 {
-    for (int i = 0; i < PLANES * POWERS * LEASTS; i++) {
-        trial t = *base;
-        t.hull.plane = t.upsample.plane = planes[i % PLANES];
-        t.hull.power = t.upsample.power = powers[i / PLANES % POWERS];
-        t.hull.least = t.upsample.least = leasts[i / PLANES / POWERS];
-        trials[(*count)++] = t;
-    }
+    trial t = {.family = g->family,
+               .hull = g->family[0] == 's' ? hull_sh_standard : hull_far_standard};
+    t.hull.factor = t.upsample.factor = g->factors[factor];
+    t.hull.plane = t.upsample.plane = g->planes[plane];
+    t.hull.power = t.upsample.power = g->powers[power];
+    t.hull.least = t.upsample.least = g->leasts[least];
+    return t;
 }
 
-/* Families "upsample", "sh" and "far". */
 static size_t list_trials(trial trials[MOST])
 {
-    static const uint32_t factors[] = {4, 2, 8};
     size_t count = 0;
-    for (int f = 0; f < 3; f++) {
-        trial t = {.family = "upsample", .upsample = {.factor = factors[f]}};
-        add_weights(trials, &count, &t);
+    for (size_t i = 0; i < sizeof grids / sizeof *grids; i++) {
+        const grid *g = &grids[i];
+        for (int f = 0; g->factors[f]; f++)
+            for (int p = 0; g->planes[p] > 0; p++)
+                for (int n = 0; g->powers[n] > 0; n++)
+                    for (int l = 0; g->leasts[l] > 0 && count < MOST; l++)
+                        trials[count++] = make_trial(g, f, p, n, l);
     }
-    for (int f = 0; f < 3; f += 2) {
-        trial t = {.family = "sh", .hull = hull_sh_standard};
-        t.hull.factor = factors[f];
-        add_weights(trials, &count, &t);
-    }
-    trial far = {.family = "far", .hull = hull_far_standard};
-    add_weights(trials, &count, &far);
     return count;
 }
 

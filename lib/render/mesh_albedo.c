@@ -1,10 +1,12 @@
 /* mesh_albedo.c: runs in the child process: one colour a material. */
 #include "mesh_child.h"
+#include "mesh_jpeg.h"
 
 #include <assimp/material.h>
 #include <math.h>
 #include <png.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,19 +38,55 @@ static bool mean_of_bytes(const uint8_t *texels, size_t count, const int order[4
     return sum[3] > 0;
 }
 
-static bool mean_of_png(png_image *image, double mean[3])
+static const int rgba[4] = {0, 1, 2, 3};
+
+static bool mean_of_png(const uint8_t *bytes, size_t size, double mean[3])
 {
-    static const int order[4] = {0, 1, 2, 3};
-    bool good = image->width <= LARGEST_SIDE && image->height <= LARGEST_SIDE;
+    png_image image = {.version = PNG_IMAGE_VERSION};
+    bool good = png_image_begin_read_from_memory(&image, bytes, size) &&
+                image.width <= LARGEST_SIDE && image.height <= LARGEST_SIDE;
     uint8_t *pixels = NULL;
     if (good) {
-        image->format = PNG_FORMAT_RGBA;
-        pixels = base_allocate(PNG_IMAGE_SIZE(*image));
-        good = png_image_finish_read(image, NULL, pixels, 0, NULL) != 0 &&
-               mean_of_bytes(pixels, (size_t)image->width * (size_t)image->height, order, mean);
+        image.format = PNG_FORMAT_RGBA;
+        pixels = base_allocate(PNG_IMAGE_SIZE(image));
+        good = png_image_finish_read(&image, NULL, pixels, 0, NULL) != 0 &&
+               mean_of_bytes(pixels, (size_t)image.width * (size_t)image.height, rgba, mean);
     }
     free(pixels);
-    png_image_free(image);
+    png_image_free(&image);
+    return good;
+}
+
+/* A whole PNG or JPEG file. */
+static bool mean_of_file(const uint8_t *bytes, size_t size, double mean[3])
+{
+    uint8_t *texels;
+    size_t count;
+    if (size < 3 || memcmp(bytes, "\xff\xd8\xff", 3) != 0)
+        return mean_of_png(bytes, size, mean);
+    bool good = mesh_jpeg(bytes, size, LARGEST_SIDE, &texels, &count) &&
+                mean_of_bytes(texels, count, rgba, mean);
+    free(texels);
+    return good;
+}
+
+/* A texture that cannot be read is no reason to say anything: the colour alone stands. */
+static bool mean_at_path(const char *path, double mean[3])
+{
+    enum { STEP = 1 << 16, LARGEST_FILE = 1 << 28 };
+    FILE *stream = fopen(path, "rb");
+    if (!stream)
+        return false;
+    uint8_t *bytes = NULL;
+    size_t size = 0, more;
+    do {
+        bytes = base_reallocate(bytes, size + STEP);
+        more = fread(bytes + size, 1, STEP, stream);
+        size += more;
+    } while (more == STEP && size < LARGEST_FILE);
+    fclose(stream);
+    bool good = mean_of_file(bytes, size, mean);
+    free(bytes);
     return good;
 }
 
@@ -62,7 +100,6 @@ static bool mean_of_texels(const struct aiTexture *texture, double mean[3])
 static bool mean_of_texture(const struct aiScene *from, const char *name, const char *folder,
                             double mean[3])
 {
-    png_image image = {.version = PNG_IMAGE_VERSION};
     if (name[0] == '*') { /* inside the file */
         unsigned long index = strtoul(name + 1, NULL, 10);
         if (index >= from->mNumTextures)
@@ -70,8 +107,7 @@ static bool mean_of_texture(const struct aiScene *from, const char *name, const 
         const struct aiTexture *texture = from->mTextures[index];
         if (texture->mHeight > 0)
             return mean_of_texels(texture, mean);
-        return png_image_begin_read_from_memory(&image, texture->pcData, texture->mWidth) &&
-               mean_of_png(&image, mean);
+        return mean_of_file(&texture->pcData->b, texture->mWidth, mean);
     }
     buffer path = {0};
     if (name[0] != '/')
@@ -80,7 +116,7 @@ static bool mean_of_texture(const struct aiScene *from, const char *name, const 
     for (char *p = path.text; *p; p++)
         if (*p == '\\') /* as some exporters write folders */
             *p = '/';
-    bool good = png_image_begin_read_from_file(&image, path.text) != 0 && mean_of_png(&image, mean);
+    bool good = mean_at_path(path.text, mean);
     buffer_free(&path);
     return good;
 }
