@@ -235,7 +235,7 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
     return render_run(frame, l.steps, l.count, statistics);
 }
 
-#define HULL(NAME, TITLE)                                                                          \
+#define HULL(NAME, TITLE, PROFILE)                                                                 \
     static gpu_status create_##NAME(render_frame *frame, void **state)                             \
     {                                                                                              \
         return hull_create(frame, &NAME##_standard, state);                                        \
@@ -247,7 +247,8 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
         .run = hull_run,                                                                           \
         .dump = hull_dump,                                                                         \
         .destroy = hull_destroy,                                                                   \
+        .profile = PROFILE,                                                                        \
     };
 
-HULL(hull, "a hull of vertices for the far light, near lights at every pixel")
-HULL(hull_lobe, "the same with one lobe a colour at each vertex")
+HULL(hull, "a hull of vertices for the far light, near lights at every pixel", NULL)
+HULL(hull_lobe, "the same with lobes at each vertex, integrated by the fitted form", hull_profile)

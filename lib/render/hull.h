@@ -19,7 +19,7 @@ enum {
 /* How the far light is brought to the pixels. */
 typedef enum hull_kind {
     HULL_MOMENTS, /* by the hull, vertices that keep moments of the radiance */
-    HULL_LOBES,   /* by the hull, vertices that keep a lobe a colour */
+    HULL_LOBES,   /* by the hull, vertices that keep lobes */
     HULL_UPSAMPLE /* by joint bilateral upsampling of a sample a block */
 } hull_kind;
 

@@ -1,5 +1,6 @@
 /* The passes of the hull: what each is bound to, and lists of them. */
 #include "hull_private.h"
+#include "internal.h"
 
 #include <stdlib.h>
 
@@ -101,10 +102,9 @@ gpu_status hull_create_pass(render_frame *frame, hull *h, hull_pass pass)
                           none ? 0 : sizeof(hull_push), &h->passes[pass]);
 }
 
-gpu_status hull_create_draw(render_frame *frame, hull *h)
+static void draw_options(bool lobes, gpu_draw_options *options)
 {
-    bool lobes = h->kind == HULL_LOBES;
-    gpu_draw_options options = {
+    *options = (gpu_draw_options){
         .name = "hull",
         .vertex = render_shader(lobes ? "hull/hull_lobe.vert" : "hull/hull.vert"),
         .fragment = render_shader("hull/hull.frag"),
@@ -114,6 +114,26 @@ gpu_status hull_create_draw(render_frame *frame, hull *h)
         .target_count = 1,
         .targets = {GPU_RGBA32F},
     };
+}
+
+static gpu_step draw_step(const render_frame *f, const hull *h)
+{
+    return (gpu_step){
+        .name = "integrate",
+        .draw = h->draw,
+        .resources = {f->view, h->buffers[HULL_B_CORNERS], h->buffers[HULL_B_VERTICES], f->position,
+                      f->normal, h->buffers[HULL_B_MASKS]},
+        .indirect = h->buffers[HULL_B_CONTROL],
+        .indirect_offset = 4 * HULL_DRAW,
+        .targets = {f->light},
+    };
+}
+
+gpu_status hull_create_draw(render_frame *frame, hull *h)
+{
+    bool lobes = h->kind == HULL_LOBES;
+    gpu_draw_options options;
+    draw_options(lobes, &options);
     if (lobes) {
         gpu_status status =
             render_shader_method("hull/hull_lobe.frag", frame->options.method, &options.fragment);
@@ -123,6 +143,24 @@ gpu_status hull_create_draw(render_frame *frame, hull *h)
     gpu_status status = gpu_draw_create(frame->device, &options, &h->draw);
     if (lobes)
         free((char *)options.fragment.source);
+    return status;
+}
+
+/* What the last run drew, of the kind HULL_LOBES, once for each of a vertex's lobes. */
+gpu_status hull_profile(render_frame *frame, void *state, float **points, size_t *count)
+{
+    enum { LOBES = 5 }; /* as in vertex_lobe.glsl */
+    gpu_draw_options options;
+    draw_options(true, &options);
+    options.name = "hull/profile";
+    options.fragment = render_shader("hull/profile.frag");
+    options.push_size = sizeof(int32_t);
+    gpu_step step = draw_step(frame, state);
+    gpu_status status = gpu_draw_create(frame->device, &options, &step.draw);
+    if (status != GPU_OK)
+        return status;
+    status = profile_draw(frame, step, LOBES, points, count);
+    gpu_draw_destroy(step.draw);
     return status;
 }
 
@@ -155,15 +193,5 @@ void hull_add_fill(hull_list *l, const char *name, hull_buffer buffer, uint32_t 
 
 void hull_add_draw(hull_list *l)
 {
-    const hull *h = l->h;
-    const render_frame *f = l->frame;
-    l->steps[l->count++] = (gpu_step){
-        .name = "integrate",
-        .draw = h->draw,
-        .resources = {f->view, h->buffers[HULL_B_CORNERS], h->buffers[HULL_B_VERTICES], f->position,
-                      f->normal, h->buffers[HULL_B_MASKS]},
-        .indirect = h->buffers[HULL_B_CONTROL],
-        .indirect_offset = 4 * HULL_DRAW,
-        .targets = {f->light},
-    };
+    l->steps[l->count++] = draw_step(l->frame, l->h);
 }

@@ -103,5 +103,6 @@ void hull_add_groups(hull_list *l, const char *name, hull_pass pass, uint32_t gr
 void hull_add_indirect(hull_list *l, const char *name, hull_pass pass, int level, int word);
 void hull_add_fill(hull_list *l, const char *name, hull_buffer buffer, uint32_t bits);
 void hull_add_draw(hull_list *l);
+gpu_status hull_profile(render_frame *frame, void *state, float **points, size_t *count);
 
 #endif

@@ -43,6 +43,12 @@ gpu_status geometry_draw(const geometry *geometry, gpu_buffer *view, const gbuff
 /* lights.c: fills frame->lights and light_count; ms as above, of drawing the shadow map. */
 gpu_status lights_create(render_frame *frame, const geometry *geometry, double *ms);
 
+/* profile.c: runs a draw into one RGBA32F target, its push constant an int32_t, 0 to layers - 1,
+ * and collects the points for render_pipeline.profile: texels with w != 0 and a weight (z) above 0.
+ */
+gpu_status profile_draw(render_frame *frame, gpu_step step, int32_t layers, float **points,
+                        size_t *count);
+
 /* tone.c: frame->gain. */
 gpu_status tone_measure(render_frame *frame);
 

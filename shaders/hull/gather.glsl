@@ -55,10 +55,7 @@ void main()
             vec3 e = light_exitance(l);
             exact += e * (far * f);
 #ifdef VERTEX_LOBES
-            // a lobe has no room for what lies below the horizon, where only other normals see it
-            vec3 to = (l.a.xyz + l.b.xyz + l.c.xyz) / 3.0 - x;
-            float above = smoothstep(LOWEST, HIGHEST, dot(to, n) * inversesqrt(dot(to, to)));
-            vertex_take(v, e, far * above, light_moments(l, x));
+            vertex_take(v, e, far, light_moments(l, x));
 #else
             vertex_take(v, e, far, light_moments(l, x), light_fourth(l, x));
 #endif
@@ -68,13 +65,8 @@ void main()
         }
         barrier();
     }
-    v.place.xyz = 0.5 * x;
-    vertex_finish(v, n);
-    // c: so that the vertex gives its exact irradiance at its own place and normal
-    vec3 c = exact - vertex_irradiance(v, x, n);
-    v.place.w = c.r;
-    v.gradient0.w = c.g;
-    v.gradient1.w = c.b;
+    vertex_finish(v, x);
+    vertex_local(v, exact - vertex_irradiance(v, x, n));
     if (inside)
         vertices[slot] = v;
     counter_add_group(COUNT_EVALUATIONS, inside ? count : 0u);

@@ -1,4 +1,5 @@
-// hull_frag.glsl: the far light at the pixels that the quad's component owns.
+// hull_frag.glsl: the far light at the pixels that the quad's component owns; or with
+// HULL_PIXEL(vertex, x, n) what that makes of them.
 #include "../common/frame.glsl"
 #include "vertex_kind.glsl"
 
@@ -12,7 +13,11 @@ layout(set = 0, binding = 5, std430) readonly buffer Masks
 layout(location = 0) noperspective in Vertex vertex;
 layout(location = VERTEX_VECTORS) flat in uint component;
 
-layout(location = 0) out vec4 light_target;
+layout(location = 0) out vec4 target;
+
+#ifndef HULL_PIXEL
+#define HULL_PIXEL(vertex, x, n) vec4(max(vertex_irradiance(vertex, x, n), 0.0), 1.0)
+#endif
 
 void main()
 {
@@ -21,5 +26,5 @@ void main()
         discard;
     vec3 x = texelFetch(position_image, ivec2(pixel), 0).xyz;
     vec3 n = unpack_normal(texelFetch(normal_image, ivec2(pixel), 0).x);
-    light_target = vec4(max(vertex_irradiance(vertex, x, n), 0.0), 1.0);
+    target = HULL_PIXEL(vertex, x, n);
 }

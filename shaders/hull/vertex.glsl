@@ -60,8 +60,18 @@ void vertex_take(inout Vertex v, vec3 e, float far, Moments m, Fourth f)
     v.fourth_b += mean_e * f.b;
 }
 
-void vertex_finish(inout Vertex v, vec3 n)
+// The vertex lies at x; next is vertex_local.
+void vertex_finish(inout Vertex v, vec3 x)
 {
+    v.place.xyz = 0.5 * x;
+}
+
+// What the vertex misses of the irradiance at its own place and normal.
+void vertex_local(inout Vertex v, vec3 c)
+{
+    v.place.w = c.r;
+    v.gradient0.w = c.g;
+    v.gradient1.w = c.b;
 }
 
 void vertex_add(inout Vertex v, float weight, Vertex w)
