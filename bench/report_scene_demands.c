@@ -162,5 +162,5 @@ bool scenes_note_others(report *report, scenes_bars *all)
                 flicker_bars(report, all) &&
                 scenes_each_row(report, "choice.csv", choices, add_choice, &chosen);
     note_choice(&chosen);
-    return good;
+    return good && report_area_bars(report, all);
 }

@@ -41,7 +41,7 @@ static bool picture(report *report, const char *group, const char *file)
 }
 
 /* All pictures of a folder beside the tables; the folder's name is that in the page, too. */
-static bool gallery(report *report, const char *group, const char *text)
+bool report_scene_gallery(report *report, const char *group, const char *text)
 {
     char *folder = base_join(report->scenes, group), **names;
     size_t count;
@@ -75,8 +75,9 @@ static bool stage_galleries(report *report)
     if (good) {
         for (size_t i = 0; i < count && good; i++) {
             char *group = base_join("stages", names[i]);
-            good = gallery(report, group,
-                           i ? "The same." : "The stages of the paper's pipeline, its figure 2.");
+            good = report_scene_gallery(report, group,
+                                        i ? "The same."
+                                          : "The stages of the paper's pipeline, its figure 2.");
             free(group);
         }
         base_list_free(names, count);
@@ -107,8 +108,8 @@ bool scenes_link_file(report *report, const char *name)
 }
 
 /* The columns of those names as a table, titled by titles. The file itself is linked below. */
-static bool table(report *report, const char *name, const char *const *names,
-                  const char *const *titles, const char *caption)
+bool report_scene_table(report *report, const char *name, const char *const *names,
+                        const char *const *titles, const char *caption)
 {
     scenes_reader r;
     int columns[MOST_COLUMNS], more = 0;
@@ -180,66 +181,53 @@ bool report_scenes(report *report)
                                               "p50",   "p99",      "bias",   NULL};
     static const char *const paper_titles[] = {"scene",   "pipeline", "method", "#rel",
                                                "#median", "#p99",     "#bias",  NULL};
-    static const char *const shadow_names[] = {"scene",
-                                               "width",
-                                               "height",
-                                               "pipeline",
-                                               "rel",
-                                               "p99",
-                                               "fragments",
-                                               "fragments_percent",
-                                               "visibility_rays",
-                                               "lighting_ms",
-                                               "times_faster_than_shadows",
-                                               NULL};
-    static const char *const shadow_titles[] = {"scene", "#width", "#height",       "pipeline",
-                                                "#rel",  "#p99",   "#fragments",    "#% of pixels",
-                                                "#rays", "#ms",    "#times faster", NULL};
     static const char *const choice_names[] = {
         "scene", "pipeline", "max_rmse", "method", "instructions", "rmse", "largest_change_of_255",
         NULL};
     static const char *const choice_titles[] = {
         "scene", "pipeline", "#asked", "method", "#instructions", "#RMSE", "#change of 255", NULL};
     return report_scene_bars(report) && report_scene_charts(report) &&
-           gallery(report, "pictures",
-                   "Pictures by the ground truth (`exact`), the paper as printed (`meder`), ours "
-                   "and a rival, all of one view with the same exposure; and their errors of "
-                   "irradiance, relative to the image mean and times four, from green to red.") &&
-           table(report, "views.csv", view_names, view_titles,
-                 "Every view. Errors of irradiance against ground truth, relative to the image's "
-                 "mean; light evaluations as the shaders counted them; time of all lighting passes "
-                 "on the device, for comparison within this table only.") &&
-           table(report, "rates.csv", rate_names, rate_titles,
-                 "How many times as fast as ground truth: lighting alone, the whole frame, and "
-                 "what the paper's table 1 says (0: it does not have this scene).") &&
-           table(report, "flicker.csv", flicker_names, flicker_titles,
-                 "Flicker: root mean square, over pixels, of the second difference in time: of the "
-                 "error, and of the irradiance against that of ground truth.") &&
+           report_scene_gallery(
+               report, "pictures",
+               "Pictures by the ground truth (`exact`), the paper as printed (`meder`), ours "
+               "and a rival, all of one view with the same exposure; and their errors of "
+               "irradiance, relative to the image mean and times four, from green to red.") &&
+           report_scene_table(
+               report, "views.csv", view_names, view_titles,
+               "Every view. Errors of irradiance against ground truth, relative to the image's "
+               "mean; light evaluations as the shaders counted them; time of all lighting passes "
+               "on the device, for comparison within this table only.") &&
+           report_scene_table(
+               report, "rates.csv", rate_names, rate_titles,
+               "How many times as fast as ground truth: lighting alone, the whole frame, and "
+               "what the paper's table 1 says (0: it does not have this scene).") &&
+           report_scene_table(
+               report, "flicker.csv", flicker_names, flicker_titles,
+               "Flicker: root mean square, over pixels, of the second difference in time: of the "
+               "error, and of the irradiance against that of ground truth.") &&
            stage_galleries(report) &&
-           gallery(report, "paper",
-                   "The paper's figures 3, 4 and 8: its pipeline as printed, with the cosine "
-                   "integrated by its own curve (`meder_2018`), taken as constant, taken as a lobe "
-                   "(`tokuyoshi_2016`), and by `standard`; errors as above.") &&
-           table(report, "paper.csv", paper_names, paper_titles,
-                 "The same in numbers: errors of irradiance against ground truth.") &&
-           table(report, "choice.csv", choice_names, choice_titles,
-                 "No more than a scene needs: the cheapest method that stays under an error on "
-                 "what the frame integrates, and the largest change of its tone-mapped picture "
-                 "against the method `fine`, in steps of 1/255.") &&
-           gallery(
-               report, "shadows",
-               "Area lights with shadows, after Koa and Johan: every pixel with 64 rays to each "
-               "light (`shadows`), fragments of several resolutions (`multires`), and Nichols "
-               "and Wyman's refinement (`nichols`).") &&
-           table(report, "shadows.csv", shadow_names, shadow_titles,
-                 "Fragments, rays and errors against every pixel with 64 rays to each light.") &&
-           gallery(report, "lobes",
-                   "One surface after another lit by spherical Gaussians alone, as in Tokuyoshi's "
-                   "figures 1 and 4: a sharp light close to a wall, and the light that the scene "
-                   "reflects as two broad ones. Symmetric mean absolute percentage errors against "
-                   "the exact integral, times four.") &&
-           table(report, "lobes.csv", lobe_names, lobe_titles,
-                 "Every method of the registry on these two: mean error and 99th percentile, the "
-                 "largest error relative to the image's mean, pixels that are black where light "
-                 "falls, and the time of the pass relative to one without the integral.");
+           report_scene_gallery(
+               report, "paper",
+               "The paper's figures 3, 4 and 8: its pipeline as printed, with the cosine "
+               "integrated by its own curve (`meder_2018`), taken as constant, taken as a lobe "
+               "(`tokuyoshi_2016`), and by `standard`; errors as above.") &&
+           report_scene_table(report, "paper.csv", paper_names, paper_titles,
+                              "The same in numbers: errors of irradiance against ground truth.") &&
+           report_scene_table(
+               report, "choice.csv", choice_names, choice_titles,
+               "No more than a scene needs: the cheapest method that stays under an error on "
+               "what the frame integrates, and the largest change of its tone-mapped picture "
+               "against the method `fine`, in steps of 1/255.") &&
+           report_area(report) &&
+           report_scene_gallery(
+               report, "lobes",
+               "One surface after another lit by spherical Gaussians alone, as in Tokuyoshi's "
+               "figures 1 and 4: a sharp light close to a wall, and the light that the scene "
+               "reflects as two broad ones. Symmetric mean absolute percentage errors against "
+               "the exact integral, times four.") &&
+           report_scene_table(
+               report, "lobes.csv", lobe_names, lobe_titles,
+               "Every method of the registry on these two: mean error and 99th percentile, the "
+               "largest error relative to the image's mean, pixels that are black where light "
+               "falls, and the time of the pass relative to one without the integral.");
 }

@@ -69,4 +69,20 @@ bool report_scene_bars(report *report);
 /* report_scene_charts.c: errors over time, time over triangles and lights. */
 bool report_scene_charts(report *report);
 
+/* ---- report_scenes.c ------------------------------------------------------------------------- */
+
+/* All pictures of a folder beside the tables, under a text; the folder's name is that in the page,
+ * too. */
+bool report_scene_gallery(report *report, const char *group, const char *text);
+
+/* The columns of those names as a table, titled by titles (NULL-ended; # before those of numbers).
+ * A paragraph where the file is not there. */
+bool report_scene_table(report *report, const char *name, const char *const *names,
+                        const char *const *titles, const char *caption);
+
+/* ---- report_area.c: area lights with shadows ------------------------------------------------- */
+
+bool report_area_bars(report *report, scenes_bars *all);
+bool report_area(report *report);
+
 #endif

@@ -1,5 +1,5 @@
-/* report_tried.c: the section "What was tried": bench/tried.md and bench/hull_tried.md, whose
- * Markdown is headings, lists, tables shown as they are, and paragraphs. */
+/* report_tried.c: the section "What was tried": bench/tried.md and those of its
+ * kind, whose Markdown is headings, lists, tables shown as they are, and paragraphs. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,8 @@
 
 typedef enum block { NOTHING, PARAGRAPH, LIST, VERBATIM } block;
 
-static const char *const files[] = {"bench/tried.md", "bench/hull_tried.md"};
+static const char *const files[] = {"bench/tried.md", "bench/hull_tried.md",
+                                    "bench/multires_tried.md"};
 enum { FILES = sizeof files / sizeof *files };
 
 static char *tried_path(size_t file)

@@ -99,7 +99,8 @@ static inline const float *illumination(const multires *m, int level, uint32_t x
 
 static inline int state_of(const multires *m, int level, uint32_t x, uint32_t y)
 {
-    return (int)illumination(m, level, x, y)[3];
+    float w = illumination(m, level, x, y)[3];
+    return w < 0 ? STATE_SHARED : (int)w;
 }
 
 static inline float discontinuity(const multires *m, int level, uint32_t x, uint32_t y)

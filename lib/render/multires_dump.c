@@ -10,16 +10,17 @@
 /* The level that a pixel's value comes from; -1: it has no surface. */
 static int level_of(const multires *m, const float *illumination, uint32_t x, uint32_t y)
 {
-    enum { FINAL = 1, PART = 3, DARK = 4, SHARED = 5 }; /* of fragments.glsl */
+    enum { FINAL = 1, PART = 3, DARK = 4 }; /* of fragments.glsl */
     static const size_t before[RENDER_LEVELS] = {0, 256, 320, 336, 340};
     bool part = false;
     for (int l = 0; l < RENDER_LEVELS; l++) {
         size_t row = (size_t)m->push[0].tiles[0] << (4 - l);
         size_t at = before[l] * m->tiles + (y >> l) * row + (x >> l);
-        int state = (int)illumination[4 * at + 3];
+        float w = illumination[4 * at + 3];
+        int state = w < 0 ? PART : (int)w;
         if (state == FINAL || state == DARK)
             return l;
-        part = part || (l == 0 && (state == PART || state == SHARED));
+        part = part || (l == 0 && state == PART);
     }
     return part ? 1 : -1; /* four pixels that are kept as parts of a fragment of level 1 */
 }

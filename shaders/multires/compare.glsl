@@ -10,12 +10,12 @@ uvec2 sub_at(uint sub) // of the four around the fragment: each a neighbour of t
 struct Found {
     uint differ; // bits, most of all lights
     uint twice;  // sub-fragments on a steep gradient
-    bool lit;    // something is visible from one of them
+    uint lit;    // lights of which something is visible from one of them: bit number & 31
 };
 
 // seen: bits of the four for one light. steepest: the largest gradient. Returns whether some of
 // the light is visible, but not all.
-bool compare(bool joined, uint seen[4], inout Found found, out uint steepest)
+bool compare(uint light, bool joined, uint seen[4], inout Found found, out uint steepest)
 {
     uint all = 0xffffu, any = 0u;
     steepest = 0u;
@@ -31,7 +31,7 @@ bool compare(bool joined, uint seen[4], inout Found found, out uint steepest)
     bool part = any != 0u && all != 0xffffu;
     uint differ = joined && part ? 16u : joined ? 0u : bitCount(any & ~all);
     found.differ = max(found.differ, differ);
-    found.lit = found.lit || any != 0u;
+    found.lit |= any != 0u ? 1u << (light & 31u) : 0u;
     return part;
 }
 

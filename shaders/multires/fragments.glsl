@@ -42,8 +42,8 @@ const float FINAL = 1.0;  // a fragment that is not refined
 const float SAMPLE = 2.0; // an additional sample, a pixel of a fragment of level 3 or 4
 const float PART = 3.0;   // a sub-fragment of a fragment that is not refined
 const float DARK = 4.0;   // final, and faces away from every light
-const float SHARED = 5.0; // PART, and half shadow that it shares with the other three: upsampled
-                          // from its neighbours
+// Less than 0: PART, and half shadow that it shares with the other three: upsampled from its
+// neighbours. Minus what the lights in half shadow would give without, the sum of the channels.
 
 uint level_base(uint l) // of a level's fragments in the buffer of all levels
 {

@@ -5,9 +5,8 @@
 
 const uint SUB_THERE = 1u;  // has a surface
 const uint SUB_OWN = 2u;    // a pixel that looked at all points itself
-const uint SUB_SHARES = 4u; // is in half shadow as far as it shares what the four saw
 shared uint sub_what[64];
-shared vec3 sub_light[64];
+shared vec4 sub_light[64]; // w: PART, or less than 0
 
 // Four pixels. Those that looked at all points themselves are fragments of level 0, the others are
 // one of level 1. By 16 points alone a split makes four fragments of what is known already.
@@ -22,7 +21,7 @@ void keep_pixels(uint first, uvec2 at, bool split)
         fine += own ? 1u : 0u;
         coarse = own ? coarse : 1u;
         illumination[fragment_index(0u, at * 2u + sub_at(i))] =
-            vec4(sub_light[first + i], own ? FINAL : (what & SUB_SHARES) != 0u ? SHARED : PART);
+            vec4(sub_light[first + i].rgb, own ? FINAL : sub_light[first + i].w);
     }
     if (fine > 0u)
         counter_add(COUNT_FRAGMENTS, fine);
@@ -48,10 +47,10 @@ void keep_fragment(uint first, uvec2 at, uint entry)
 {
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < 4u; i++) {
-        sum += sub_light[first + i];
-        bool shares = level == 2u && (sub_what[first + i] & SUB_SHARES) != 0u;
+        vec4 light = sub_light[first + i];
+        sum += light.rgb;
         illumination[fragment_index(level - 1u, at * 2u + sub_at(i))] =
-            vec4(sub_light[first + i], shares ? SHARED : PART);
+            vec4(light.rgb, level == 2u ? light.w : PART);
     }
     illumination[fragment_index(level, at)] = vec4(0.25 * sum, FINAL);
     if (level > 2u)

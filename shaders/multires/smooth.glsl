@@ -2,7 +2,9 @@
 #ifndef SMOOTH_GLSL
 #define SMOOTH_GLSL
 
-const float SMOOTH_RANGE = 0.5; // difference over sum of two values beyond which lies an edge
+// An edge lies between values that differ by more than both of
+const float SMOOTH_RANGE = 0.5; // of their sum,
+const float SMOOTH_STEP = 0.25; // of what the lights in half shadow would give without
 
 // What is known of a pixel, as it is; w: 0 where that is nothing.
 vec4 raw_light(ivec2 pixel)
@@ -16,7 +18,7 @@ vec4 raw_light(ivec2 pixel)
 // Mean of the pixels around, weighted by a tent as wide as two squares: between the middles of
 // squares, what bilinear interpolation gives. Only pixels of the same surface, and on the same side
 // of a shadow's edge. Bounded by what it is the mean of.
-vec3 smooth_light(ivec2 pixel, int radius, vec4 position, vec3 own)
+vec3 smooth_light(ivec2 pixel, int radius, vec4 position, vec4 own)
 {
     uvec2 packed = texelFetch(normal_image, pixel, 0).xy;
     vec3 n = unpack_normal(packed.x), face = unpack_normal(packed.y);
@@ -34,7 +36,8 @@ vec3 smooth_light(ivec2 pixel, int radius, vec4 position, vec3 own)
             float value_sum = value.r + value.g + value.b;
             bool joins = there.w > 0.0 && value.w != NOTHING && distance(n, m) <= normal_limit
                          && abs(dot(there.xyz - position.xyz, face)) <= size
-                         && abs(value_sum - own_sum) <= SMOOTH_RANGE * (value_sum + own_sum);
+                         && abs(value_sum - own_sum) <= max(SMOOTH_RANGE * (value_sum + own_sum),
+                                                         -SMOOTH_STEP * own.w);
             float weight = float((radius + 1 - abs(i)) * (radius + 1 - abs(j)));
             sum += joins ? weight * vec4(value.rgb, 1.0) : vec4(0.0);
         }

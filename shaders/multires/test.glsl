@@ -2,11 +2,11 @@
 // fragments of one level. Four sub-fragments, 16 rays each to the same points of a light: where
 // their bits differ the fragment is split. Two sub-fragments that follow each other around the
 // fragment and whose numbers of visible points differ by more than `steep` are both split once
-// more. Where nothing is visible from any of the four, nothing differs, and the fragment is dark.
-// What was seen is kept as irradiance: of the sub-fragments of a final fragment, and of pixels.
+// more. Where nothing is visible from any of the four, nothing differs, and the fragment is dark,
+// unless something is visible from its corners: then it is split. What was seen is kept as irradiance: of the sub-fragments of a final fragment, and of pixels.
 //
 // Joined: the four look at 16 other points each, and share what they see of the 64. That is how
-// `points` has it of final fragments that are not dark, which are traced a second round, and of the
+// `points` has it of final fragments, which are traced a second round, and of the
 // four pixels of level 1, unless they are of several surfaces or the shadow is steep: then each
 // pixel in half shadow looks at the other 48 points itself.
 //
@@ -58,7 +58,7 @@ void add_light(uint light, bool joined, bool may_own, bool one_surface, Surface 
             together += sub_weights[first + i];
         }
         barrier();
-        part = compare(joined, seen, sub.found, steepest);
+        part = compare(light, joined, seen, sub.found, steepest);
         shares = joined && !(may_own && (!one_surface || steepest > QUAD_STEEP));
         // to the other points where some of these are seen, but not all
         goes_on = !shares && in_part(bits);
@@ -77,8 +77,8 @@ void finish(uint entry, uvec2 at, bool taken, bool there, Sub sub)
     bool split = (entry & FORCED) != 0u || sub.found.differ >= differing;
     bool shares = points == POINTS_BOTH && !sub.own
                   && 2.0 * sub.half_light > sub.light.r + sub.light.g + sub.light.b;
-    sub_light[mine] = sub.light;
-    sub_what[mine] = what | (sub.own ? SUB_OWN : 0u) | (shares ? SUB_SHARES : 0u);
+    sub_light[mine] = vec4(sub.light, shares ? -sub.half_light : PART);
+    sub_what[mine] = what | (sub.own ? SUB_OWN : 0u);
     barrier();
     if ((mine & 3u) == 0u && taken) {
         if (level == 1u)
@@ -99,28 +99,35 @@ void main()
     uint slot = (gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x) * 64u + mine;
     Surface s = surface_at(fragment_pixel(level - 1u, at * 2u + sub_at(mine & 3u)));
     bool there = s.there && taken, one_surface = taken && pyramid[pyramid_index(level, at)] <= 1.0;
-    Sub sub = Sub(Found(0u, 0u, false), vec3(0.0), 0.0, false);
+    Surface corner = surface_at(ivec2((at << level) + ((1u << level) - 1u) * sub_at(mine & 3u)));
+    Sub sub = Sub(Found(0u, 0u, 0u), vec3(0.0), 0.0, false);
     if (first_light + first_round > 0u && taken) {
         uvec4 bits = kept[2u * slot + 1u];
         vec4 light = uintBitsToFloat(kept[2u * slot]);
-        sub = Sub(Found(bits.x, bits.y, (bits.z & 1u) != 0u), light.rgb, light.a,
-                  (bits.z & 2u) != 0u);
+        sub = Sub(Found(bits.x, bits.y, bits.z), light.rgb, light.a, bits.w != 0u);
     }
     uint count = last_light - first_light, turns = count * (last_round - first_round), i = 0u;
     for (; i < turns; i++) {
         uint round = first_round + i / count, light = first_light + i % count;
         bool joined = round > 0u || (points == POINTS_APART && one_surface)
                       || (points == POINTS_BOTH && level == 1u);
-        bool split = (entry & FORCED) != 0u || sub.found.differ >= differing;
-        s.there = there && (round == 0u || (sub.found.lit && !split));
+        bool dark = round > 0u && (sub.found.lit >> (light & 31u) & 1u) == 0u;
+        Surface from = s;
+        if (dark)
+            from = corner;
+        from.there = there && (round == 0u || sub.found.differ < differing);
         if (round > 0u && light == 0u) { // only what the second round sees counts
             sub.light = vec3(0.0);
             sub.half_light = 0.0;
         }
         Sub before = sub;
-        add_light(light, joined, points == POINTS_BOTH && level == 1u, one_surface, s, sub, rays);
+        add_light(light, joined, points == POINTS_BOTH && level == 1u, one_surface, from, sub, rays);
+        bool lit = dark && sub.found.lit != before.found.lit;
+        if (dark)
+            sub = before;
         if (round > 0u)
             sub.found = before.found;
+        sub.found.differ = lit ? 16u : sub.found.differ;
     }
     trace_gave_up = trace_gave_up || i < turns;
     if (last_light == light_count && last_round == rounds) {
@@ -128,9 +135,9 @@ void main()
         counter_add_group(COUNT_SAMPLES, there ? 1u : 0u);
         counter_add_group(COUNT_EVALUATIONS, there ? light_count : 0u);
     } else if (taken) {
-        uint flags = (sub.found.lit ? 1u : 0u) | (sub.own ? 2u : 0u);
         kept[2u * slot] = floatBitsToUint(vec4(sub.light, sub.half_light));
-        kept[2u * slot + 1u] = uvec4(sub.found.differ, sub.found.twice, flags, 0u);
+        kept[2u * slot + 1u] =
+            uvec4(sub.found.differ, sub.found.twice, sub.found.lit, sub.own ? 1u : 0u);
     }
     count_rays(rays);
 }

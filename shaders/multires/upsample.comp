@@ -79,8 +79,8 @@ void main()
         vec3 n = unpack_normal(texelFetch(normal_image, pixel, 0).x);
         value.rgb = in_fragment(l, pixel, position, n);
     }
-    if (value.w == SHARED)
-        value.rgb = smooth_light(pixel, 1 << l, position, value.rgb);
+    if (value.w < 0.0)
+        value.rgb = smooth_light(pixel, 1 << l, position, value);
     if (found)
         imageStore(light_image, pixel, vec4(value.rgb, 1.0));
 }
