@@ -115,33 +115,68 @@ static inline passed_data *grid_sums(const grid *g)
 
 /* ---- The same on the host -------------------------------------------------------------- */
 
-static const double host_far = 0.40066968462, host_side = 0.42344135437;
+/* Of the light that leaves a voxel: 30 parts of all directions, 6 along the axes (the number is
+ * that of the axis times 2, plus 1 where it is the negative one) and 24 between two axes. */
+typedef struct host_part {
+    int to, beside;             /* the nearer axis, as above, and the other or -1 */
+    double angle, towards[3];   /* solid angle, direction that the lobe is taken in */
+    double mean[3];             /* mean direction */
+    double share, share_beside; /* of what leaves towards the two */
+} host_part;
 
-/* Direction from a voxel's centre to face 0 (the far one) to 4 of its neighbour along an axis. */
-static inline double host_face(int axis, int sign, int face, double d[3])
+static inline void host_add(double v[3], int axis, double length)
 {
-    d[0] = d[1] = d[2] = 0;
-    d[axis] = face == 0 ? sign : 2 * sign / sqrt(5);
-    if (face > 0)
-        d[(axis + 1 + (face - 1) / 2) % 3] = (face % 2 ? 1 : -1) / sqrt(5);
-    return face == 0 ? host_far : host_side;
+    v[axis / 2] += axis % 2 ? -length : length;
 }
 
-/* Flux of a lobe through that face. */
-static inline double host_flux(const float lobe[4], int axis, int sign, int face, double d[3])
+static inline host_part host_part_of(int i)
 {
-    double angle = host_face(axis, sign, face, d), x = 0;
+    host_part p = {.to = i / 5, .beside = -1, .angle = 4 * asin(0.1)};
+    if (i % 5 == 0) {
+        host_add(p.towards, p.to, 1);
+        host_add(p.mean, p.to, 0.967);
+        p.share = 0.763;
+    } else {
+        p.beside = (p.to / 2 * 2 + 1 + i % 5) % 6; /* the four that are not of the same axis */
+        p.angle = (4 * 3.14159265358979323846 / 6 - p.angle) / 4;
+        host_add(p.towards, p.to, 0.839);
+        host_add(p.towards, p.beside, 0.544);
+        host_add(p.mean, p.to, 0.799);
+        host_add(p.mean, p.beside, 0.518);
+        p.share = 0.61;
+        p.share_beside = 0.39;
+    }
+    return p;
+}
+
+/* Flux of a lobe in that part. */
+static inline double host_flux(const float lobe[4], const host_part *p)
+{
+    double x = 0;
     for (int k = 0; k < 3; k++)
-        x += (double)lobe[k] * d[k];
-    return (double)lobe[3] * angle / pow(1 - x, 4);
+        x += (double)lobe[k] * p->towards[k];
+    return (double)lobe[3] * p->angle / pow(1 - x, 4);
+}
+
+/* The share of a part that leaves through the face towards an axis; the straight ones lose a part
+ * to the four beside them. */
+static inline double host_share(const host_part *p, int axis)
+{
+    if (axis == p->to)
+        return p->share;
+    if (p->beside < 0)
+        return axis / 2 == p->to / 2 ? 0 : (1 - p->share) / 4;
+    return axis == p->beside ? p->share_beside : 0;
 }
 
 /* All that a lobe sends out, W. */
 static inline double host_sum(const float lobe[4])
 {
-    double sum = 0, d[3];
-    for (int face = 0; face < 30; face++)
-        sum += host_flux(lobe, face / 10, face / 5 % 2 ? -1 : 1, face % 5, d);
+    double sum = 0;
+    for (int i = 0; i < 30; i++) {
+        host_part p = host_part_of(i);
+        sum += host_flux(lobe, &p);
+    }
     return sum;
 }
 

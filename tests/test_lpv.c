@@ -75,25 +75,26 @@ static void host_step(const grid *g, const lobes_data *lobes, const uint32_t at[
     memset(along, 0, 3 * sizeof *along);
     memset(passed, 0, 6 * sizeof *passed);
     *flux = 0;
-    for (int axis = 0; axis < 3; axis++)
-        for (int sign = -1; sign <= 1; sign += 2) {
-            uint32_t from[3] = {at[0], at[1], at[2]};
-            from[axis] -= (uint32_t)sign;
-            if (from[axis] >= g->push.size[axis])
-                continue;
-            uint32_t source = grid_voxel(g, from[0], from[1], from[2]);
-            uint32_t lower = sign > 0 ? source : grid_voxel(g, at[0], at[1], at[2]);
-            for (int face = 0; face < 5; face++) {
-                double d[3], f = host_flux(lobes[source].of[colour], axis, sign, face, d) *
-                                 (double)open[4 * lower + (uint32_t)axis];
-                double far = fabs(d[0]) + fabs(d[1]) + fabs(d[2]);
-                *flux += f;
-                for (int k = 0; k < 3; k++) {
-                    along[k] += f * d[k];
-                    passed[2 * k + (d[k] < 0)] += f * fabs(d[k]) / far;
-                }
-            }
+    for (int way = 0; way < 6; way++) {
+        uint32_t from[3] = {at[0], at[1], at[2]};
+        int axis = way / 2;
+        from[axis] += way % 2 ? 1 : UINT32_MAX;
+        if (from[axis] >= g->push.size[axis])
+            continue;
+        uint32_t source = grid_voxel(g, from[0], from[1], from[2]);
+        uint32_t lower = way % 2 ? grid_voxel(g, at[0], at[1], at[2]) : source;
+        for (int i = 0; i < 30; i++) {
+            host_part p = host_part_of(i);
+            double f = host_flux(lobes[source].of[colour], &p) * host_share(&p, way) *
+                       (double)open[4 * lower + (uint32_t)axis];
+            *flux += f;
+            for (int k = 0; k < 3; k++)
+                along[k] += f * p.mean[k];
+            /* straight light that goes astray counts as straight */
+            for (int to = 0; to < 6; to++)
+                passed[to] += f * (p.beside < 0 && way != p.to ? to == p.to : host_share(&p, to));
         }
+    }
 }
 
 static void a_step_is_the_hosts(void **state)
@@ -135,18 +136,19 @@ static void a_step_is_the_hosts(void **state)
 static double host_lost(const grid *g, bool boundary)
 {
     const float *open = gpu_buffer_map(g->open);
-    double sum = 0, d[3];
+    double sum = 0;
     for (uint32_t v = 0; v < g->push.voxels; v++) {
         const uint32_t *n = g->push.size, at[3] = {v % n[0], v / n[0] % n[1], v / (n[0] * n[1])};
-        for (int face = 0; face < 30; face++) {
-            int axis = face / 10, sign = face / 5 % 2 ? -1 : 1;
+        for (int way = 0; way < 6; way++) {
             uint32_t to[3] = {at[0], at[1], at[2]};
-            to[axis] += (uint32_t)sign;
-            bool out = to[axis] >= n[axis];
-            uint32_t lower = sign > 0 || out ? v : grid_voxel(g, to[0], to[1], to[2]);
-            double kept = out ? 1 : 1 - (double)open[4 * lower + (uint32_t)axis];
-            if (out == boundary)
-                sum += kept * host_flux(grid_lobes(g)[v].of[0], axis, sign, face % 5, d);
+            to[way / 2] += way % 2 ? UINT32_MAX : 1;
+            bool out = to[way / 2] >= n[way / 2];
+            uint32_t lower = way % 2 && !out ? grid_voxel(g, to[0], to[1], to[2]) : v;
+            double kept = out ? 1 : 1 - (double)open[4 * lower + (uint32_t)way / 2];
+            for (int i = 0; i < 30 && out == boundary; i++) {
+                host_part p = host_part_of(i);
+                sum += kept * host_flux(grid_lobes(g)[v].of[0], &p) * host_share(&p, way);
+            }
         }
     }
     return sum;

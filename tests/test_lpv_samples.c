@@ -156,7 +156,7 @@ static void a_wall_blocks_what_crosses_it(void **state)
         for (uint32_t i = 0; i < 64; i++) {
             const float *open = v.open + 4 * (i + 64 * z);
             assert_true(open[0] == 1 && open[1] == 1); /* the light that goes along it */
-            assert_true(z == 3 ? open[2] < 0.1F : open[2] == 1);
+            assert_true(z == 3 ? open[2] < 0.2F : open[2] == 1);
             /* the two sides are in the layers before and behind it */
             assert_true((v.first[i + 64 * z + 1] > v.first[i + 64 * z]) == (z == 3 || z == 4));
         }
@@ -184,11 +184,15 @@ static void half_a_wall_blocks_half(void **state)
     lpv_samples_make(&f.scene, 200, 40000, &s);
     lpv_volume_make(&f.scene, &s, 4, &v);
     for (uint32_t i = 0; i < 16; i++)
-        assert_near((double)v.open[4 * (i + 16) + 2], i / 4 < 2 ? 0 : 1, 0.05);
+        assert_near((double)v.open[4 * (i + 16) + 2], i / 4 < 2 ? 0 : 1, 0.15);
     lpv_volume_free(&v);
     lpv_volume_make(&f.scene, &s, 2, &v);
-    assert_near((double)v.open[2], 0, 0.05);
+    assert_near((double)v.open[2], 0, 0.1);
     assert_near((double)v.open[4 * 2 + 2], 1, 0.05);
+    lpv_volume_free(&v);
+    /* a quarter of a wall, in the part of a voxel: half of its face, and the cube of that */
+    lpv_volume_make(&f.scene, &s, 3, &v);
+    assert_near((double)v.open[4 * (3 + 9) + 2], 1 - 0.125, 0.05);
     lpv_volume_free(&v);
     /* a single voxel: all of one side is in it, the other a little outside; nothing lies between
      * two centres */

@@ -9,11 +9,11 @@
 #include "internal.h"
 
 const lpv_settings lpv_default = {.volume = 24,
-                                  .steps = 48,
+                                  .steps = 32,
                                   .samples = 4000,
                                   .darts = 100000,
                                   .points = 16,
-                                  .sharpest = 0.6F,
+                                  .sharpest = 0.5F,
                                   .lift = 1};
 
 enum { GROUP = 64, EMITTERS = 64, LOBES_BYTES = 48, SUMS_BYTES = 96 };

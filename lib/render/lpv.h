@@ -66,7 +66,9 @@ typedef struct lpv_volume {
     size_t entry_count;
     /* The geometry volume, offset by half a voxel: 4 floats a voxel, the share of light that goes
      * on from its centre to that of the neighbour at +x, +y and +z; 0. Of surfaces between the two
-     * centres, by their area as seen along the axis over the area of a voxel's face. */
+     * centres, by their area as seen along the axis over the area of a voxel's face, at most 1: the
+     * cube of that is kept. A whole wall keeps everything; surfaces that lie askew or cover a part
+     * give light themselves there, which must get out (the power was found by trying). */
     float *open;
 } lpv_volume;
 

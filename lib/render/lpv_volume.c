@@ -106,8 +106,10 @@ static void fill_open(const lpv_samples *s, lpv_volume *v)
                 v->open[4 * voxel + k] += (float)(share * fabs((double)s->darts[i].face[k]));
         }
     for (size_t i = 0; i < v->voxels; i++)
-        for (size_t k = 0; k < 3; k++)
-            v->open[4 * i + k] = fmaxf(1 - v->open[4 * i + k], 0);
+        for (size_t k = 0; k < 3; k++) {
+            float cover = fminf(v->open[4 * i + k], 1);
+            v->open[4 * i + k] = 1 - cover * cover * cover;
+        }
 }
 
 void lpv_volume_make(const render_scene *scene, const lpv_samples *samples, uint32_t volume,

@@ -50,11 +50,22 @@ vec3 along_of(vec4 harmonics)
     return 2.0 * SQRT_PI / sqrt(3.0) * harmonics.xyz;
 }
 
-// A neighbour's faces as its light comes in from a voxel, seen from that voxel's centre: the
-// far one and the four at the sides. Their solid angles together are a sixth of the sphere.
-const float FAR_ANGLE = 0.400669684624;   // 4 asin(1/10)
-const float SIDE_ANGLE = 0.423441354375;  // (4 pi/6 - that)/4
-const vec2 TO_SIDE = vec2(0.894427191, 0.447213595); // 2 and 1 over sqrt(5)
+// Directions are sorted as a neighbour's faces see them from a voxel's centre: the far one and the
+// four at the sides, of which each leads to two neighbours. Solid angles; together they are a sixth
+// of the sphere.
+const float FAR_ANGLE = 0.400669684624;  // 4 asin(1/10)
+const float SIDE_ANGLE = 0.423431354; // (4 pi/6 - that)/4
+#ifdef LPV_PRINTED
+const vec2 TO_SIDE = vec2(0.894427191, 0.447213595); // to the middle of a face at the side
+#else
+// Light fills a voxel and does not come from its centre alone: what goes in a direction leaves
+// through a side by |x|/(|x| + |y| + |z|) of it. Means over the faces' solid angles, by quadrature.
+const float STRAIGHT = 0.763;              // share that stays straight on of light to the far face
+const float MAJOR = 0.61;                  // share of light to a side that goes to the nearer axis
+const float FAR_MEAN = 0.967;              // length of the mean direction
+const vec2 SIDE_MEAN = vec2(0.799, 0.518); // along the nearer and the farther axis
+const vec2 TO_SIDE = vec2(0.839, 0.544);   // the same, of length 1
+#endif
 
 // What a lobe sends into a direction, b times its cosine with the lobe's being x; not normalised.
 // Light with a mean direction of length m is taken as light that a moving observer sees where it
@@ -69,17 +80,24 @@ float lobe_shape(float x)
 #endif
 }
 
+vec4 lobe_shapes(vec4 x)
+{
+    return vec4(lobe_shape(x.x), lobe_shape(x.y), lobe_shape(x.z), lobe_shape(x.w));
+}
+
 float lobe_through(vec3 b, vec3 ahead, vec3 aside, vec3 up)
 {
-    float a = dot(b, ahead), u = TO_SIDE.y * dot(b, aside), v = TO_SIDE.y * dot(b, up);
-    float c = TO_SIDE.x * a;
+    vec4 lateral = vec4(dot(b, aside), 0.0, dot(b, up), 0.0);
+    lateral.yw = -lateral.xz;
+    float a = dot(b, ahead);
     return FAR_ANGLE * lobe_shape(a)
-        + SIDE_ANGLE * (lobe_shape(c + u) + lobe_shape(c - u) + lobe_shape(c + v) + lobe_shape(c - v));
+        + SIDE_ANGLE * dot(lobe_shapes(TO_SIDE.x * a + TO_SIDE.y * lateral), vec4(1.0));
 }
 
 const vec3 X = vec3(1.0, 0.0, 0.0), Y = vec3(0.0, 1.0, 0.0), Z = vec3(0.0, 0.0, 1.0);
 
 // Scaled so that what goes through all faces of all neighbours is the flux: no energy is made.
+// Sharp lobes would follow the volume's axes: what is sharper than `sharpest` is cut to it.
 vec4 lobe_of(vec4 harmonics)
 {
     float flux = flux_of(harmonics);
