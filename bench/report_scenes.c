@@ -218,7 +218,7 @@ bool report_scenes(report *report)
                "No more than a scene needs: the cheapest method that stays under an error on "
                "what the frame integrates, and the largest change of its tone-mapped picture "
                "against the method `fine`, in steps of 1/255.") &&
-           report_area(report) &&
+           report_area(report) && report_indirect(report) &&
            report_scene_gallery(
                report, "lobes",
                "One surface after another lit by spherical Gaussians alone, as in Tokuyoshi's "

@@ -66,6 +66,9 @@ bool scenes_note_others(report *report, scenes_bars *all);
 /* The table of all bars, then that of all views. */
 bool report_scene_bars(report *report);
 
+/* report_indirect.c: one bounce against traced paths. */
+bool report_indirect(report *report);
+
 /* report_scene_charts.c: errors over time, time over triangles and lights. */
 bool report_scene_charts(report *report);
 

@@ -130,6 +130,8 @@ bool scenes_shadows(const scenes_plan *plan);
 bool scenes_area_refinement(const scenes_plan *plan);
 /* The same while camera and lights move: area_flicker.csv. */
 bool scenes_area_flicker(const scenes_plan *plan);
+/* Indirect light by a volume against traced paths: indirect.csv, indirect/. */
+bool scenes_indirect(const scenes_plan *plan);
 /* Virtual spherical Gaussian lights by every method: lobes.csv, lobes/. */
 bool scenes_lobes(const scenes_plan *plan);
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/buffer.h"
+#include "base/random.h"
 #include "shadows.h"
 
 void bounce_free(bounce *result)
@@ -13,34 +14,6 @@ void bounce_free(bounce *result)
     free(result->irradiance);
     free(result->variance);
     *result = (bounce){0};
-}
-
-void bounce_compare(const bounce *reference, const float *light, uint32_t width, uint32_t step,
-                    bounce_comparison *result)
-{
-    double squares = 0, noise = 0, bias = 0, mean = 0, count = 0;
-    for (uint32_t y = 0; y < reference->height; y++)
-        for (uint32_t x = 0; x < reference->width; x++) {
-            size_t at = (size_t)y * reference->width + x;
-            size_t pixel = (size_t)(y * step + step / 2) * width + x * step + step / 2;
-            for (size_t k = 0; k < 3 && reference->irradiance[4 * at + 3] != 0; k++) {
-                double truth = (double)reference->irradiance[4 * at + k];
-                double off = (double)light[4 * pixel + k] - truth;
-                squares += off * off;
-                noise += (double)reference->variance[3 * at + k];
-                bias += off;
-                mean += truth;
-                count++;
-            }
-        }
-    *result = (bounce_comparison){0};
-    if (!(mean > 0))
-        return;
-    mean /= count;
-    result->rel = sqrt(fmax(squares - noise, 0) / count) / mean;
-    result->noise = sqrt(noise / count) / mean;
-    result->bias = bias / count / mean;
-    result->mean = mean;
 }
 
 #ifdef HAVE_EMBREE
@@ -66,18 +39,6 @@ typedef struct work {
     bounce *result;
     atomic_uint row;
 } work;
-
-typedef struct random_numbers {
-    uint64_t state;
-} random_numbers;
-
-static double uniform(random_numbers *r) /* splitmix64 */
-{
-    uint64_t z = r->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return (double)((z ^ z >> 31) >> 11) * 0x1p-53;
-}
 
 static double dot(const double a[3], const double b[3])
 {
@@ -157,43 +118,18 @@ static bool trace(const work *w, const double origin[3], const double along[3], 
 
 /* ---- Light ---------------------------------------------------------------------------- */
 
-static void point_on(const render_area_light *light, double x, double y, double p[3])
-{
-    /* a fan of triangles: one by its area, then a place in it */
-    double areas[RENDER_MOST_CORNERS] = {0}, all = 0;
-    for (int i = 1; i + 1 < light->corner_count; i++) {
-        render_area_light one = {.corner_count = 3};
-        double n[3];
-        memcpy(one.corners[0], light->corners[0], sizeof one.corners[0]);
-        memcpy(one.corners[1], light->corners[i], sizeof one.corners[1]);
-        memcpy(one.corners[2], light->corners[i + 1], sizeof one.corners[2]);
-        shadows_normal(&one, n);
-        all += areas[i] = sqrt(dot(n, n));
-    }
-    int i = 1;
-    double left = x * all;
-    for (; i + 2 < light->corner_count && left > areas[i]; i++)
-        left -= areas[i];
-    double across = areas[i] > 0 ? fmin(left / areas[i], 1) : 0, out = sqrt(y);
-    for (int k = 0; k < 3; k++) {
-        const double(*c)[3] = light->corners;
-        double rim = c[i][k] + across * (c[i + 1][k] - c[i][k]);
-        p[k] = c[0][k] + out * (rim - c[0][k]);
-    }
-}
-
 /* Adds albedo times the irradiance by one point of each light, from part number `part` of 16. */
-static void add_reflected(const work *w, const hit *at, uint32_t part, random_numbers *random,
+static void add_reflected(const work *w, const hit *at, uint32_t part, uint64_t *random,
                           double sum[3])
 {
     double origin[3];
     lift(at->position, at->face, origin);
     for (size_t l = 0; l < w->scene->area_light_count; l++) {
         const render_area_light *light = &w->scene->area_lights[l];
-        double n[3], p[3], d[3], x = (part % 4 + uniform(random)) / 4,
-                                 y = (part / 4 % 4 + uniform(random)) / 4;
+        double n[3], p[3], d[3], x = (part % 4 + base_uniform(random)) / 4,
+                                 y = (part / 4 % 4 + base_uniform(random)) / 4;
         shadows_normal(light, n); /* times the area */
-        point_on(light, x, y, p);
+        shadows_point(light, x, y, p);
         for (int k = 0; k < 3; k++)
             d[k] = p[k] - at->position[k];
         double square = dot(d, d), facing = -dot(d, n), above = dot(d, at->normal);
@@ -237,8 +173,8 @@ static void place(const work *w, size_t pixel, size_t at)
     }
     lift(position, face, origin);
     uint32_t paths = w->options.paths;
-    random_numbers random = {(uint64_t)at << 32};
-    double turn[2] = {uniform(&random), uniform(&random)}, whole;
+    uint64_t random = (uint64_t)at << 32;
+    double turn[2] = {base_uniform(&random), base_uniform(&random)}, whole;
     for (uint32_t i = 0; i < paths; i++) {
         double along[3], one[3] = {0, 0, 0};
         hit found;

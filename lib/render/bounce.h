@@ -29,8 +29,9 @@ void bounce_free(bounce *result);
 
 typedef struct bounce_comparison {
     double rel;   /* root mean square of the difference over places and channels, over the mean of
-                     the reference, the noise of the reference taken out of it */
-    double noise; /* root mean square of the reference's standard errors over its mean */
+                     the reference; the noise of the reference is part of it */
+    double noise; /* root mean square of the reference's standard errors over its mean: of
+                     independent paths; those of a place are spread evenly and do better */
     double bias;  /* mean of the difference over that mean */
     double mean;  /* of the reference, W/m^2 */
 } bounce_comparison;

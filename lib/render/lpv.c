@@ -9,7 +9,7 @@
 #include "internal.h"
 
 const lpv_settings lpv_default = {.volume = 24,
-                                  .steps = 32,
+                                  .steps = 48,
                                   .samples = 4000,
                                   .darts = 100000,
                                   .points = 16,

@@ -6,17 +6,9 @@
 #include <string.h>
 
 #include "base/buffer.h"
+#include "base/random.h"
 
 /* ---- Darts ---------------------------------------------------------------------------- */
-
-/* A sequence of numbers that does not depend on anything else (splitmix64). */
-static double uniform(uint64_t *seed)
-{
-    uint64_t z = *seed += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return (double)((z ^ z >> 31) >> 11) * 0x1p-53;
-}
 
 static const float *corner(const float *values, const render_scene *scene, size_t triangle,
                            size_t i)
@@ -64,10 +56,10 @@ static void weigh(uint64_t i, double shift, float weights[3])
 static void throw_darts(const render_scene *scene, lpv_samples *s, place *places)
 {
     uint64_t seed = 1, index = 0;
-    double before = 0, next = uniform(&seed), normal[3];
+    double before = 0, next = base_uniform(&seed), normal[3];
     size_t made = 0;
     for (size_t t = 0; t < scene->triangle_count && made < s->dart_count; t++) {
-        double area = face_of(scene, t, normal), shift = uniform(&seed);
+        double area = face_of(scene, t, normal), shift = base_uniform(&seed);
         before += area / s->dart_area;
         /* one dart in each unit of area, at a random place of it; the sum may end a little short */
         for (index = 0; made < s->dart_count &&
@@ -83,7 +75,7 @@ static void throw_darts(const render_scene *scene, lpv_samples *s, place *places
                         places[made - 1].weights[i] * corner(scene->positions, scene, t, i)[k];
                 dart->face[k] = (float)normal[k];
             }
-            next = uniform(&seed);
+            next = base_uniform(&seed);
         }
     }
 }

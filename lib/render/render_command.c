@@ -106,7 +106,7 @@ static int read_arguments(int argc, char **argv, settings *s)
          "add one diffuse bounce, by a light propagation volume (default: none)", NULL},
         {"volume", BASE_LONG, &s->volume, "N",
          "voxels along the volume's longest side (default: 24)", NULL},
-        {"steps", BASE_LONG, &s->steps, "N", "how often light moves on in the volume (default: 32)",
+        {"steps", BASE_LONG, &s->steps, "N", "how often light moves on in the volume (default: 48)",
          NULL},
         {"runs", BASE_LONG, &s->runs, "N", "times are medians of N runs (default: 1)", NULL},
         {"out", BASE_STRING, &s->out, "FILE.exr", "write linear radiance", NULL},

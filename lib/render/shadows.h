@@ -37,6 +37,9 @@ gpu_status shadows_run(render_frame *frame, const gpu_step *steps, int count,
  * 16 that follow, cover it evenly too. Moved by `lift` along its normal. */
 void shadows_points(const render_area_light *light, double lift, float points[SHADOWS_POINTS][4]);
 
+/* The point of a light for one of the unit square, equal areas to equal areas. */
+void shadows_point(const render_area_light *light, double x, double y, double point[3]);
+
 /* The corners' mean normal times the area. */
 void shadows_normal(const render_area_light *light, double normal[3]);
 

@@ -60,7 +60,7 @@ static bool is_parallelogram(const render_area_light *light)
 
 /* The unit square onto the polygon, equal areas to equal areas: a parallelogram as it is; else x
  * chooses the place in the fan around corner 0, y the distance from there. */
-static void spread(const render_area_light *light, double x, double y, double p[3])
+void shadows_point(const render_area_light *light, double x, double y, double p[3])
 {
     const double(*c)[3] = light->corners;
     if (is_parallelogram(light)) {
@@ -92,7 +92,7 @@ void shadows_points(const render_area_light *light, double lift, float points[SH
     for (int i = 0; i < SHADOWS_POINTS; i++) {
         double x, y, p[3];
         place(i, &x, &y);
-        spread(light, x, y, p);
+        shadows_point(light, x, y, p);
         for (int k = 0; k < 3; k++)
             points[i][k] = (float)(p[k] + (area > 0 ? lift * n[k] / area : 0));
         points[i][3] = 0;
