@@ -181,6 +181,12 @@ static void wrong_input_is_refused_in_one_line(void **state)
         const char *option, *value, *told;
     } cases[] = {
         {"--size", "0x4", "--size"},
+        {"--indirect", "gi", "none|lpv"},
+        {"--volume", "0", "from 1 to 96"},
+        {"--volume", "97", "from 1 to 96"},
+        {"--volume", "8", "--indirect lpv"},
+        {"--steps", "-1", "from 1 to 1024"},
+        {"--steps", "9", "--indirect lpv"},
         {"--size", "12", "--size"},
         {"--size", "x", "--size"},
         {"--size", "4x-4", "--size"},
