@@ -16,7 +16,8 @@ static const char *const families[][MOST_RIVALS] = {
     {"upsample8", "upsample4", "upsample2", NULL},
     {"upsample_sh8", "upsample_sh4", "upsample_sh2", NULL},
 };
-static const char *const split[MOST_RIVALS] = {"upsample_far", NULL};
+static const char *const split[MOST_RIVALS] = {"upsample_far", "upsample_far6", "upsample_far4",
+                                               NULL};
 static const char *const ours[] = {"hull", "hull_lobe"};
 
 static bool same_view(const scenes_row *a, const scenes_row *b)

@@ -48,8 +48,10 @@ static const render_pipeline *pipeline_of(const trial *t)
 
 static trial make_trial(const grid *g, int factor, int plane, int power, int least)
 {
-    trial t = {.family = g->family,
-               .hull = g->family[0] == 's' ? hull_sh_standard : hull_far_standard};
+    trial t = {.family = g->family, .hull = hull_standard};
+    t.hull.kind = HULL_UPSAMPLE;
+    if (g->family[0] == 's')
+        t.hull.tau = 0;
     t.hull.factor = t.upsample.factor = g->factors[factor];
     t.hull.plane = t.upsample.plane = g->planes[plane];
     t.hull.power = t.upsample.power = g->powers[power];

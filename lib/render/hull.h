@@ -33,7 +33,6 @@ typedef struct hull_settings {
 } hull_settings;
 
 extern const hull_settings hull_standard, hull_lobe_standard; /* of the pipelines */
-extern const hull_settings hull_far_standard, hull_sh_standard;
 
 gpu_status hull_create(render_frame *frame, const hull_settings *settings, void **state);
 gpu_status hull_run(render_frame *frame, void *state, render_statistics *statistics);
@@ -43,6 +42,6 @@ bool hull_dump(render_frame *frame, void *state, const char *folder);
 extern const render_pipeline hull_pipeline, hull_lobe_pipeline;
 /* upsample_sh.c */
 extern const render_pipeline upsample_sh2_pipeline, upsample_sh4_pipeline, upsample_sh8_pipeline;
-extern const render_pipeline upsample_far_pipeline;
+extern const render_pipeline upsample_far_pipeline, upsample_far6_pipeline, upsample_far4_pipeline;
 
 #endif

@@ -23,6 +23,8 @@ const render_pipeline *const render_pipelines[] = {
     &upsample_sh4_pipeline,
     &upsample_sh8_pipeline,
     &upsample_far_pipeline,
+    &upsample_far6_pipeline,
+    &upsample_far4_pipeline,
     /* with shadows */
     &shadows_pipeline,
     &shadows2_pipeline,

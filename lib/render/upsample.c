@@ -87,7 +87,7 @@ gpu_status upsample_run(render_frame *frame, void *state, render_statistics *sta
          .resources = {frame->view, frame->lights, frame->counters, frame->position, frame->normal,
                        u->sample_light, u->sample_position},
          .push = s,
-         .groups = {(s->blocks_x * s->blocks_y + 63) / 64, 1, 1}},
+         .groups = {(s->blocks_x + 15) / 16, (s->blocks_y + 15) / 16, 1}},
         {.name = "upsample",
          .compute = u->upsample,
          .resources = {frame->view, frame->position, frame->normal, u->sample_light,
@@ -117,6 +117,7 @@ gpu_status upsample_run(render_frame *frame, void *state, render_statistics *sta
         .destroy = upsample_destroy,                                                               \
     };
 
-UPSAMPLE(2, "half", .plane = 1, .power = 32, .least = 1e-3F)
-UPSAMPLE(4, "quarter", .plane = 1, .power = 32, .least = 1e-3F)
-UPSAMPLE(8, "an eighth of the", .plane = 1, .power = 32, .least = 1e-3F)
+/* Chosen by bench/rivals_tried.md. */
+UPSAMPLE(2, "half", .plane = 0.25F, .power = 32, .least = 0.1F)
+UPSAMPLE(4, "quarter", .plane = 0.25F, .power = 32, .least = 0.01F)
+UPSAMPLE(8, "an eighth of the", .plane = 1, .power = 8, .least = 0.01F)
