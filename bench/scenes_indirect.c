@@ -65,13 +65,15 @@ static bool picture(const view *v, const char *what, uint32_t width, uint32_t he
 }
 
 /* Direct and indirect irradiance with one exposure, the reference and the error in its places. */
-static bool pictures(const view *v, const float *direct, double mean)
+static bool pictures(view *v, const float *direct, double mean)
 {
     uint32_t width = v->frame.width, height = v->frame.height;
     const bounce *r = &v->reference;
     size_t places = (size_t)r->width * r->height;
     float *errors = base_allocate(places * sizeof *errors);
     double gain = mean > 0 ? 0.4 / mean : 1;
+    for (size_t i = 0; i < 4 * (size_t)width * height; i++)
+        v->light[i] = direct[i / 4 * 4 + 3] != 0 ? v->light[i] : 0; /* no surface */
     for (uint32_t y = 0; y < r->height; y++)
         for (uint32_t x = 0; x < r->width; x++) {
             size_t at = (size_t)y * r->width + x;
@@ -81,7 +83,7 @@ static bool pictures(const view *v, const float *direct, double mean)
                 double off = (double)v->light[4 * pixel + k] - (double)r->irradiance[4 * at + k];
                 square += off * off / 3;
             }
-            errors[at] = mean > 0 ? (float)(sqrt(square) / mean) : 0;
+            errors[at] = mean > 0 ? (float)(sqrt(square) / mean / 4) : 0;
         }
     char name[128];
     snprintf(name, sizeof name, "%s_error.png", v->name);

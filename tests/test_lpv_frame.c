@@ -79,9 +79,11 @@ static void the_look_up_is_the_hosts(void **state)
     again(f, (render_options){.runs = 1});
     float *direct = light_of(f, "shadows", &statistics);
     assert_int_equal(statistics.voxels, 0);
+    uint64_t before = statistics.samples;
     again(f, (render_options){.indirect = RENDER_INDIRECT_LPV, .volume = 7, .steps = 9});
     float *all = light_of(f, "shadows", &statistics);
     assert_int_equal(statistics.volume_samples, f->frame.lpv->samples);
+    assert_int_equal(statistics.samples, before + statistics.volume_samples);
     assert_in_range(statistics.voxels, 200, 343);
     double added = 0, shone = 0;
     for (size_t i = 0; i < PIXELS; i++)

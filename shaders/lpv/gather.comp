@@ -84,5 +84,6 @@ void main()
         reflected[index] = before + vec4(at.albedo.rgb * irradiance, 0.0);
     }
     counter_add_group(COUNT_EVALUATIONS, inside ? last_light - first_light + emitter_count : 0u);
+    counter_add_group(COUNT_SAMPLES, inside && side > 0.0 && add == 0u ? 1u : 0u);
     count_rays(rays);
 }
