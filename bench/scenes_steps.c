@@ -17,7 +17,7 @@ static gpu_status create_hull(render_frame *frame, const void *settings, void **
 enum { STEPS = 6 };
 static const float never = 1e9F;
 
-/* A lobe a colour from the polygons' exact moments, or the moments themselves (spherical harmonics
+/* Lobes from the polygons' exact moments, or the moments themselves (spherical harmonics
  * of order 2 and gradients); quads split where the light bends; near lights exact. With both of
  * these they are `hull_lobe` and `hull`. */
 static void make_steps(hull_settings settings[STEPS], scenes_variant steps[STEPS])

@@ -30,6 +30,7 @@ void hull_destroy(void *state)
     for (int i = 0; i < HULL_PASSES; i++)
         gpu_compute_destroy(h->passes[i]);
     gpu_draw_destroy(h->draw);
+    gpu_draw_destroy(h->draw_even);
     for (int i = 0; i < HULL_BUFFERS; i++)
         gpu_buffer_destroy(h->buffers[i]);
     free(h);
@@ -77,6 +78,7 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
         [HULL_B_QUADS] = 32 * quads,
         [HULL_B_LEAVES] = 4 * quads,
         [HULL_B_CORNERS] = least(16 * 3 * 4 * (quads / 2), most),
+        [HULL_B_EVEN_CORNERS] = least(16 * 3 * 4 * (quads / 2), most),
         [HULL_B_SAMPLES] = 8 * 32 * HULL_MEAN_ROWS,
         [HULL_B_BLOCK_BOUNDS] = 32 * (size_t)h->blocks,
         [HULL_B_TILE_LISTS] = 4 * lists,
@@ -145,7 +147,8 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
                           .near_pixels = settings->near_pixels,
                           .plane = settings->plane,
                           .power = settings->power,
-                          .least = settings->least};
+                          .least = settings->least,
+                          .has_even = settings->kind == HULL_MOMENTS};
     if (h->kind == HULL_UPSAMPLE) {
         h->push.factor = settings->factor;
         h->push.blocks_x = (frame->width + settings->factor - 1) / settings->factor;

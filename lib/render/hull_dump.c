@@ -49,20 +49,29 @@ static bool draw_components(const stages *s, const char *folder)
     return done;
 }
 
-/* The triangles of the hull on the depth, and the pixels where light was gathered. */
-static bool draw_triangles(const stages *s, const char *folder)
+/* One of the two lists of triangles. */
+static void draw_list(const stages *s, hull_buffer buffer, int count_word, canvas_color color,
+                      canvas *c)
 {
-    const uint32_t *corners = gpu_buffer_map(s->h->buffers[HULL_B_CORNERS]);
-    const uint32_t *pixels = gpu_buffer_map(s->h->buffers[HULL_B_VERTEX_PIXELS]);
-    canvas c = canvas_open(s->width, s->height);
-    canvas_depth(&c, s->depth, (size_t)s->width * (size_t)s->height);
-    uint32_t count = capped(s->control[HULL_DRAW], s->h->buffers[HULL_B_CORNERS], 16);
+    const uint32_t *corners = gpu_buffer_map(s->h->buffers[buffer]);
+    uint32_t count = capped(s->control[count_word], s->h->buffers[buffer], 16);
     for (uint32_t i = 0; i + 2 < count; i += 3)
         for (uint32_t j = 0; j < 3; j++) {
             uint32_t from = corners[4 * (i + j) + 1], to = corners[4 * (i + (j + 1) % 3) + 1];
-            canvas_line(&c, (int)(from & 0xffff), (int)(from >> 16), (int)(to & 0xffff),
-                        (int)(to >> 16), (canvas_color){60, 130, 230});
+            canvas_line(c, (int)(from & 0xffff), (int)(from >> 16), (int)(to & 0xffff),
+                        (int)(to >> 16), color);
         }
+}
+
+/* The triangles of the hull on the depth, those with one normal all over in green, and the pixels
+ * where light was gathered. */
+static bool draw_triangles(const stages *s, const char *folder)
+{
+    const uint32_t *pixels = gpu_buffer_map(s->h->buffers[HULL_B_VERTEX_PIXELS]);
+    canvas c = canvas_open(s->width, s->height);
+    canvas_depth(&c, s->depth, (size_t)s->width * (size_t)s->height);
+    draw_list(s, HULL_B_CORNERS, HULL_DRAW, (canvas_color){60, 130, 230}, &c);
+    draw_list(s, HULL_B_EVEN_CORNERS, HULL_DRAW_EVEN, (canvas_color){70, 190, 90}, &c);
     for (uint32_t i = 0; i < s->control[HULL_GATHER_END]; i++)
         canvas_set(&c, (int)(pixels[i] & 0xffff), (int)(pixels[i] >> 16),
                    (canvas_color){255, 210, 40});

@@ -33,7 +33,8 @@ static const pass_layout layouts[HULL_PASSES] = {
                      HULL_B_VERTICES, HULL_B_LEAVES, POSITION, NORMAL, END}},
     [HULL_EMIT] = {"hull/emit.comp",
                    {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
-                    HULL_B_LEAVES, HULL_B_CORNERS, HULL_B_ARGUMENTS, HULL_B_EXACT, END}},
+                    HULL_B_LEAVES, HULL_B_CORNERS, HULL_B_ARGUMENTS, HULL_B_EXACT,
+                    HULL_B_EVEN_CORNERS, END}},
     [HULL_CULL_TILE] = {"hull/cull_tile.comp",
                         {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
                          HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS, END}},
@@ -143,7 +144,12 @@ gpu_status hull_create_draw(render_frame *frame, hull *h)
     gpu_status status = gpu_draw_create(frame->device, &options, &h->draw);
     if (lobes)
         free((char *)options.fragment.source);
-    return status;
+    if (status != GPU_OK || lobes)
+        return status;
+    options.name = "hull/even";
+    options.vertex = render_shader("hull/even.vert");
+    options.fragment = render_shader("hull/even.frag");
+    return gpu_draw_create(frame->device, &options, &h->draw_even);
 }
 
 /* What the last run drew, of the kind HULL_LOBES, once for each of a vertex's lobes. */
@@ -194,4 +200,12 @@ void hull_add_fill(hull_list *l, const char *name, hull_buffer buffer, uint32_t 
 void hull_add_draw(hull_list *l)
 {
     l->steps[l->count++] = draw_step(l->frame, l->h);
+    if (!l->h->draw_even)
+        return;
+    gpu_step *even = &l->steps[l->count++];
+    *even = draw_step(l->frame, l->h);
+    even->draw = l->h->draw_even;
+    even->resources[1] = l->h->buffers[HULL_B_EVEN_CORNERS];
+    even->indirect_offset = 4 * HULL_DRAW_EVEN;
+    even->keep = true;
 }

@@ -11,6 +11,7 @@ typedef struct hull_push {
     float link_plane, link_cosine, split, tau, tau_width, near_pixels;
     uint32_t factor, blocks_x, blocks_y;
     float plane, power, least;
+    uint32_t has_even;
 } hull_push;
 
 /* Words of Control in shaders/hull/control.glsl. */
@@ -21,7 +22,8 @@ enum {
     HULL_LEAF_GROUPS = 9,
     HULL_NEAR_GROUPS = 12,
     HULL_DRAW = 15,
-    HULL_LEAF_COUNT = 19,
+    HULL_DRAW_EVEN = 19,
+    HULL_LEAF_COUNT = 23,
     HULL_NEAR_COUNT,
     HULL_VERTEX_COUNT,
     HULL_GATHER_FIRST,
@@ -67,6 +69,7 @@ typedef enum hull_buffer {
     HULL_B_QUADS, /* 32 bytes each */
     HULL_B_LEAVES,
     HULL_B_CORNERS, /* 16 bytes each */
+    HULL_B_EVEN_CORNERS,
     HULL_B_SAMPLES,
     HULL_B_BLOCK_BOUNDS,
     HULL_B_TILE_LISTS,
@@ -81,7 +84,7 @@ typedef struct hull {
     hull_push push;
     uint32_t tiles, blocks;
     gpu_compute *passes[HULL_PASSES];
-    gpu_draw *draw;
+    gpu_draw *draw, *draw_even;
     gpu_buffer *buffers[HULL_BUFFERS];
 } hull;
 

@@ -10,6 +10,7 @@ layout(set = 0, binding = CONTROL_BINDING, std430) buffer Control
 {
     uint claim_groups[3], gather_groups[3], split_groups[3], leaf_groups[3], near_groups[3];
     uint draw_vertices, draw_instances, draw_first, draw_first_instance;
+    uint even_vertices, even_instances, even_first, even_first_instance;
     uint leaf_count, near_count, vertex_count;
     uint gather_first, gather_end; // the vertices that the next gathering is for
     uint quad_count[5];            // by level

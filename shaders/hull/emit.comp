@@ -1,7 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // emit.comp: the triangles of every leaf: a fan around its centre, whose rim takes in the vertices
-// that smaller neighbours have on it, so that no seam opens between quads of different size.
+// that smaller neighbours have on it, so that no seam opens between quads of different size. Where a
+// component has one normal all over its quads go to a list of their own: even.vert integrates
+// for it at the vertices.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 #include "control.glsl"
@@ -30,7 +32,7 @@ layout(set = 0, binding = 6, std430) readonly buffer Leaves
 };
 layout(set = 0, binding = 7, std430) writeonly buffer Corners
 {
-    uvec4 corners[]; // vertex, pixel, component; three of them a triangle
+    uvec4 corners[]; // vertex, pixel, component, its centre; three of them a triangle
 };
 layout(set = 0, binding = 8, std430) buffer Arguments
 {
@@ -42,10 +44,32 @@ layout(set = 0, binding = 9, std430) writeonly buffer Exact
     uint exact_pixels[];
 };
 
+layout(set = 0, binding = 10, std430) writeonly buffer EvenCorners
+{
+    uvec4 even_corners[];
+};
+
 #define MEMBER_READ_ONLY
 #include "member.glsl"
 
 const int MOST_STEPS = TILE / STEP;
+
+// Do all pixels of the component have the same normal as their neighbours in it?
+bool is_even(uint component)
+{
+    uint rows = component / MOST_COMPONENTS * uint(TILE), uneven = 0u;
+    for (uint y = 0u; y < uint(TILE); y++)
+        uneven |= links[rows + y].w & masks[component * uint(TILE) + y];
+    return uneven == 0u;
+}
+
+void write_corner(bool even, uint at, uvec3 corner, uint centre)
+{
+    if (even)
+        even_corners[at] = uvec4(corner, centre);
+    else
+        corners[at] = uvec4(corner, centre);
+}
 
 // The pixels of a quad that could not be made, to be lit exactly.
 void leave_to_exact(Quad q, ivec2 p, ivec2 tile)
@@ -101,7 +125,9 @@ void main()
         }
     }
     bool two = count == 4u && flat_quad; // triangles are enough
-    uint first = whole ? atomicAdd(draw_vertices, two ? 6u : 3u * count) : 0u;
+    bool even = has_even != 0u && is_even(q.component);
+    uint needed = whole ? two ? 6u : 3u * count : 0u;
+    uint first = even ? atomicAdd(even_vertices, needed) : atomicAdd(draw_vertices, needed);
     if (!whole || first + 3u * count > uint(corners.length())) {
         leave_to_exact(q, p, tile);
         return;
@@ -110,14 +136,15 @@ void main()
     if (two) {
         for (uint i = 0u; i < 6u; i++) {
             uint corner = i < 3u ? i : i == 3u ? 0u : i - 2u;
-            corners[first + i] = uvec4(rim[corner], at[corner], q.component, 0u);
+            write_corner(even, first + i, uvec3(rim[corner], at[corner], q.component), q.centre);
         }
         return;
     }
     for (uint i = 0u; i < count; i++) {
         uint j = i + 1u < count ? i + 1u : 0u;
-        corners[first + 3u * i] = uvec4(centre, middle, q.component, 0u);
-        corners[first + 3u * i + 1u] = uvec4(rim[i], at[i], q.component, 0u);
-        corners[first + 3u * i + 2u] = uvec4(rim[j], at[j], q.component, 0u);
+        uint to = first + 3u * i;
+        write_corner(even, to, uvec3(centre, middle, q.component), q.centre);
+        write_corner(even, to + 1u, uvec3(rim[i], at[i], q.component), q.centre);
+        write_corner(even, to + 2u, uvec3(rim[j], at[j], q.component), q.centre);
     }
 }

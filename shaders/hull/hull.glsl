@@ -1,9 +1,10 @@
 // hull.glsl: what the passes of the hull share.
 //
 // The image is cut into tiles of 32 x 32 pixels, each tile into components of pixels that are
-// linked (links.comp, components.comp). A component starts as one quad around it; a quad is a of triangles around its centre. Every vertex is a pixel of its component, the nearest one to
-// where the quad wants it, so that quads share vertices and nothing is interpolated that was not
-// lit. Where the four corners do not predict the centre, the quad is split in four (split.comp).
+// linked (links.comp, components.comp). A component starts as one quad around it; a quad is a fan of
+// triangles around its centre. Every vertex is a pixel of its component, the nearest one to where
+// the quad wants it, so that quads share vertices and nothing is interpolated that was not lit.
+// Where the four corners do not predict the centre, the quad is split in four (split.comp).
 #ifndef HULL_GLSL
 #define HULL_GLSL
 
@@ -31,6 +32,7 @@ layout(push_constant) uniform Push
     // the same split with upsampling, see upsample/far.glsl
     uint factor, blocks_x, blocks_y;
     float plane, power, least;
+    uint has_even; // are quads with one normal all over drawn by themselves?
 };
 
 struct Quad {

@@ -21,7 +21,7 @@ void main()
     claim_groups[1] = claim_groups[2] = gather_groups[1] = gather_groups[2] = 1u;
     split_groups[1] = split_groups[2] = leaf_groups[1] = leaf_groups[2] = 1u;
     near_groups[1] = near_groups[2] = 1u;
-    draw_instances = 1u;
+    draw_instances = even_instances = 1u;
     if (level == LEVELS) { // the last time
         counter_add(COUNT_QUADS, leaf_count);
         counter_add(COUNT_VERTICES, gather_end);
