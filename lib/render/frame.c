@@ -85,8 +85,8 @@ gpu_status render_frame_create(gpu_device *device, const render_scene *scene,
         status = resolve_create(frame);
     if (status == GPU_OK && options->indirect == RENDER_INDIRECT_LPV) {
         lpv_settings settings = lpv_default;
-        settings.volume = options->volume ? options->volume : settings.volume;
-        settings.steps = options->steps ? options->steps : settings.steps;
+        settings.volume = options->volume;
+        settings.steps = options->steps;
         status = lpv_create(frame, &settings, &frame->lpv);
     }
     geometry_destroy(&geometry);

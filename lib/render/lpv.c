@@ -8,13 +8,8 @@
 #include "base/buffer.h"
 #include "internal.h"
 
-const lpv_settings lpv_default = {.volume = 24,
-                                  .steps = 48,
-                                  .samples = 4000,
-                                  .darts = 100000,
-                                  .points = 16,
-                                  .sharpest = 0.5F,
-                                  .lift = 1};
+const lpv_settings lpv_default = {
+    .volume = 24, .samples = 4000, .darts = 100000, .points = 16, .sharpest = 0.5F, .lift = 1};
 
 enum { GROUP = 64, EMITTERS = 64, LOBES_BYTES = 48, SUMS_BYTES = 96 };
 
@@ -153,7 +148,7 @@ gpu_status lpv_create(render_frame *frame, const lpv_settings *settings, lpv **r
     if (l->settings.volume == 0)
         l->settings.volume = lpv_default.volume;
     if (l->settings.steps == 0)
-        l->settings.steps = lpv_default.steps;
+        l->settings.steps = 2 * l->settings.volume;
     gpu_status status = shadows_create_any(frame, &l->shadows);
     if (status == GPU_OK)
         status = make_samples(frame, l);

@@ -80,7 +80,7 @@ void lpv_volume_free(lpv_volume *volume);
 /* ---- lpv.c: the passes ----------------------------------------------------------------- */
 
 typedef struct lpv_settings {
-    uint32_t volume, steps;  /* 0: the default */
+    uint32_t volume, steps;  /* 0: the default; of steps, twice the volume */
     uint32_t samples, darts; /* as for lpv_samples_make */
     uint32_t points;         /* of the 64 of each light that a sample sees: 16 or 64 */
     bool printed;            /* propagation as Kaplanyan and Dachsbacher print it */

@@ -44,10 +44,10 @@ typedef struct render_comparison {
 void render_compare(size_t pixels, const float *light, const float *truth, float *errors,
                     render_comparison *result);
 
-/* Structural similarity of light and truth (Wang, Bovik, Sheikh and Simoncelli 2004: Gaussian window
- * of 11 x 11 pixels with a standard deviation of 1.5, K1 = 0.01, K2 = 0.03), -1 to 1, 1: the same:
- * mean over the pixels with a surface. Compared is the luminance of white surfaces under that light,
- * by render_tone with that gain. Images as for render_compare, in rows. */
+/* Structural similarity of light and truth (Wang, Bovik, Sheikh and Simoncelli 2004: Gaussian
+ * window of 11 x 11 pixels with a standard deviation of 1.5, K1 = 0.01, K2 = 0.03), -1 to 1, 1: the
+ * same: mean over the pixels with a surface. Compared is the luminance of white surfaces under that
+ * light, by render_tone with that gain. Images as for render_compare, in rows. */
 double render_ssim(uint32_t width, uint32_t height, double gain, const float *light,
                    const float *truth);
 
@@ -62,7 +62,7 @@ typedef struct render_options {
     bool detailed_normals; /* strong procedural detail on the shading normals */
     render_indirect indirect; /* beside what a pipeline lights */
     uint32_t volume, steps;   /* of its volume: voxels along the longest side, 1 to 128, and how
-                                 often light moves on; 0: the default */
+                                 often light moves on; 0: 24, and twice the volume */
     int runs; /* of which times are the medians, after one that does not count where they are more
                  than one; 0 counts as 1 */
 } render_options;
