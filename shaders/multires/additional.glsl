@@ -24,7 +24,7 @@ void main()
         uint sets = form > 0.0 ? 1u : 0u;
         for (uint set = 0u; set < sets; set++) {
             uint bits = see_set(light, s, set, seen, rays);
-            if (set == 0u && bits != 0u && points != POINTS_SAME)
+            if (set == 0u && in_part(bits) && points != POINTS_SAME)
                 sets = 4u;
         }
         form = form_after_test(light, s, form, seen.x, seen.y);
