@@ -165,15 +165,15 @@ bool report_area(report *report)
                                         "percent_of_nichols",
                                         "visibility_rays",
                                         "visibility_ms",
+                                        "rays_per_second",
                                         "lighting_ms",
                                         "times_faster_than_shadows",
                                         "times_faster_than_nichols",
                                         NULL};
     static const char *const titles[] = {
-        "scene",        "#width",         "#height",       "pipeline",
-        "#rel",         "#p99",           "#SSIM",         "#fragments",
-        "#% of pixels", "#% of Nichols'", "#rays",         "#tracing, ms",
-        "#all, ms",     "#times faster",  "#than Nichols", NULL};
+        "scene",   "#width",     "#height",       "pipeline",       "#rel",  "#p99",
+        "#SSIM",   "#fragments", "#% of pixels",  "#% of Nichols'", "#rays", "#tracing, ms",
+        "#rays/s", "#all, ms",   "#times faster", "#than Nichols",  NULL};
     static const char *const film_names[] = {"moving", "pipeline", "own_rms", "ratio_to_truth",
                                              NULL};
     static const char *const film_titles[] = {"moving", "pipeline", "#own", "#ratio to truth",

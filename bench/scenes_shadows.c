@@ -82,6 +82,7 @@ static void write_row(FILE *out, const measured *m, size_t i)
                               (double)s->samples,
                               (double)s->visibility_rays,
                               visibility_ms(s),
+                              1e3 * share((double)s->visibility_rays, visibility_ms(s)),
                               row->lighting_ms,
                               share(row->truth_ms, row->lighting_ms),
                               share(rival->lighting_ms, row->lighting_ms)};
@@ -100,7 +101,7 @@ static bool write_csv(const measured *m, const char *path)
     if (!base_output_open(&output, path))
         return false;
     fputs("scene,width,height,pipeline,rel,p50,p99,bias,ssim,fragments,fragments_percent,"
-          "percent_of_nichols,samples,visibility_rays,visibility_ms,lighting_ms,"
+          "percent_of_nichols,samples,visibility_rays,visibility_ms,rays_per_second,lighting_ms,"
           "times_faster_than_shadows,times_faster_than_nichols\n",
           output.stream);
     for (size_t i = 0; i < m->table.count; i++)

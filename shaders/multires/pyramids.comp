@@ -16,6 +16,7 @@ shared vec4 places[256]; // position, depth
 shared vec3 faces[256];
 shared vec4 lows[256];   // of the normals; w: most off the planes
 shared vec4 highs[256];  // of the normals; w: 1 where there is a surface
+shared vec2 offs[256];   // from the pixel to the right, and to the one below
 
 // How far two neighbouring pixels are off each other's planes.
 float off_planes(uint a, uint b)
@@ -32,7 +33,7 @@ float off_inside(uvec2 first, uint width)
     float most = 0.0;
     for (uint i = 0u; i < width; i++) {
         uint row = (first.y + i) * 16u + first.x + h, column = (first.y + h) * 16u + first.x + i;
-        most = max(most, max(off_planes(row - 1u, row), off_planes(column - 16u, column)));
+        most = max(most, max(offs[row - 1u].x, offs[column - 16u].y));
     }
     return most;
 }
@@ -51,6 +52,9 @@ void main()
     faces[mine] = unpack_normal(packed.y);
     lows[mine] = vec4(there ? n : vec3(2.0), 0.0);
     highs[mine] = vec4(there ? n : vec3(-2.0), there ? 1.0 : 0.0);
+    barrier();
+    offs[mine] = vec2(local.x < 15u ? off_planes(mine, mine + 1u) : 0.0,
+                      local.y < 15u ? off_planes(mine, mine + 16u) : 0.0);
     barrier();
     for (uint l = 1u; l <= TOP; l++) {
         uint width = 1u << l, h = width / 2u;
