@@ -61,7 +61,7 @@ typedef struct render_options {
     const char *method;    /* of the registry, for passes that integrate lobes; NULL: "standard" */
     bool detailed_normals; /* strong procedural detail on the shading normals */
     render_indirect indirect; /* beside what a pipeline lights */
-    uint32_t volume, steps;   /* of its volume: voxels along the longest side, 1 to 128, and how
+    uint32_t volume, steps;   /* of its volume: voxels along the longest side, 1 to 96, and how
                                  often light moves on; 0: 24, and twice the volume */
     int runs; /* of which times are the medians, after one that does not count where they are more
                  than one; 0 counts as 1 */
