@@ -81,24 +81,13 @@ static void destroy(void *state)
     gpu_compute_destroy(state);
 }
 
-const render_pipeline exact_pipeline = {
-    .id = "exact",
-    .title = "ground truth: every light at every pixel, clipped to the horizon",
-    .create = create_exact,
-    .run = run_exact,
-    .destroy = destroy,
-};
-const render_pipeline exact_unclipped_pipeline = {
-    .id = "exact_unclipped",
-    .title = "every light at every pixel, not clipped to the horizon",
-    .create = create_unclipped,
-    .run = run_exact,
-    .destroy = destroy,
-};
-const render_pipeline limit_pipeline = {
-    .id = "limit",
-    .title = "reads the G-buffer and writes the light buffer, without lighting",
-    .create = create_limit,
-    .run = run_limit,
-    .destroy = destroy,
-};
+#define PIPELINE(NAME, TITLE, CREATE, RUN)                                                         \
+    const render_pipeline NAME##_pipeline = {                                                      \
+        .id = #NAME, .title = TITLE, .create = CREATE, .run = RUN, .destroy = destroy}
+
+PIPELINE(exact, "ground truth: every light at every pixel, clipped to the horizon", create_exact,
+         run_exact);
+PIPELINE(exact_unclipped, "every light at every pixel, not clipped to the horizon",
+         create_unclipped, run_exact);
+PIPELINE(limit, "reads the G-buffer and writes the light buffer, without lighting", create_limit,
+         run_limit);

@@ -57,9 +57,9 @@ const int MOST_STEPS = TILE / STEP;
 // Do all pixels of the component have the same normal as their neighbours in it?
 bool is_even(uint component)
 {
-    uint rows = component / MOST_COMPONENTS * uint(TILE), uneven = 0u;
+    uint uneven = 0u;
     for (uint y = 0u; y < uint(TILE); y++)
-        uneven |= links[rows + y].w & masks[component * uint(TILE) + y];
+        uneven |= links[component / MOST_COMPONENTS * uint(TILE) + y].w & masks[component * uint(TILE) + y];
     return uneven == 0u;
 }
 
