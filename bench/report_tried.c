@@ -12,7 +12,8 @@
 typedef enum block { NOTHING, PARAGRAPH, LIST, VERBATIM } block;
 
 static const char *const files[] = {"bench/tried.md", "bench/hull_tried.md",
-                                    "bench/multires_tried.md", "bench/lpv_tried.md"};
+                                    "bench/rivals_tried.md", "bench/multires_tried.md",
+                                    "bench/lpv_tried.md"};
 enum { FILES = sizeof files / sizeof *files };
 
 static char *tried_path(size_t file)
