@@ -35,6 +35,11 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
     bool good = true;
     for (int s = 0; s < size_count && good; s++)
         for (int detailed = 0; detailed < 2 && good; detailed++) {
+            /* an hour for all: large pictures of further views on smooth normals and once alone */
+            bool brief = s > 0 && !scenes_is_first_view(path);
+            base_progress_step(progress, scene.name);
+            if (brief && detailed)
+                continue;
             bool shows = s == 0 && !detailed;
             pipelines_of(shows, ids);
             scenes_view view = {.device = plan->device,
@@ -43,11 +48,12 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
                                 .width = sizes[s][0],
                                 .height = sizes[s][1],
                                 .detailed = detailed != 0,
-                                .runs = 3,
+                                .runs = s == 0  ? 3
+                                        : brief ? 1
+                                                : 2,
                                 .truth_once = true,
                                 .warm = plan->warm};
             good = scenes_measure(&view, ids, scenes_gallery, shows ? pictures : NULL, table);
-            base_progress_step(progress, scene.name);
         }
     render_scene_free(&scene);
     return good;
