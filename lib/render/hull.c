@@ -2,7 +2,9 @@
  * the place of the hull. */
 #include "hull_private.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <time.h>
 
 const hull_settings hull_standard = {
     .link_plane = 0.04F,
@@ -11,6 +13,7 @@ const hull_settings hull_standard = {
     .tau = 0.2F,
     .tau_width = 3,
     .near_pixels = 16,
+    .merge = 0.003F,
 };
 const hull_settings hull_lobe_standard = {
     .kind = HULL_LOBES,
@@ -20,6 +23,7 @@ const hull_settings hull_lobe_standard = {
     .tau = 0.2F,
     .tau_width = 3,
     .near_pixels = 16,
+    .merge = 0.003F,
 };
 
 void hull_destroy(void *state)
@@ -63,7 +67,6 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
     }
     h->push.quad_first[HULL_LEVELS] = (uint32_t)quads;
     h->push.vertex_capacity = (uint32_t)vertices;
-    size_t lists = (frame->light_count + 1) * (size_t)h->tiles;
     const size_t bytes[HULL_BUFFERS] = {
         [HULL_B_CONTROL] = 4 * HULL_CONTROL_WORDS,
         [HULL_B_ARGUMENTS] = 16,
@@ -81,17 +84,18 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
         [HULL_B_EVEN_CORNERS] = least(16 * 3 * 4 * (quads / 2), most),
         [HULL_B_SAMPLES] = 8 * 32 * HULL_MEAN_ROWS,
         [HULL_B_BLOCK_BOUNDS] = 32 * (size_t)h->blocks,
-        [HULL_B_TILE_LISTS] = 4 * lists,
+        [HULL_B_TILE_LISTS] = 4 * (HULL_MOST_TILE + 1) * tiles,
         [HULL_B_NEAR_LISTS] = 4 * (HULL_MOST_NEAR + 1) * (size_t)h->blocks,
         [HULL_B_NEAR_BLOCKS] = 4 * (size_t)h->blocks,
         [HULL_B_FAR_SAMPLES] =
             HULL_SAMPLE_BYTES * (size_t)h->push.blocks_x * (band_rows(h, most) + 1),
+        [HULL_B_TREE] = sizeof(light_node) * (2 * (size_t)frame->light_count + 1),
     };
     static const bool upsamples[HULL_BUFFERS] = {
         [HULL_B_CONTROL] = true,     [HULL_B_ARGUMENTS] = true,  [HULL_B_EXACT] = true,
         [HULL_B_ROW_BOUNDS] = true,  [HULL_B_SAMPLES] = true,    [HULL_B_BLOCK_BOUNDS] = true,
         [HULL_B_TILE_LISTS] = true,  [HULL_B_NEAR_LISTS] = true, [HULL_B_NEAR_BLOCKS] = true,
-        [HULL_B_FAR_SAMPLES] = true,
+        [HULL_B_FAR_SAMPLES] = true, [HULL_B_TREE] = true,
     };
     for (int i = 0; i < HULL_BUFFERS; i++) {
         if (h->kind == HULL_UPSAMPLE && !upsamples[i])
@@ -111,7 +115,8 @@ static gpu_status create_passes(render_frame *frame, hull *h)
                                         HULL_GATHER, HULL_SPLIT,      HULL_EMIT};
     static const hull_pass lobes[] = {HULL_LINKS,        HULL_COMPONENTS,  HULL_CLAIM,
                                       HULL_GATHER_LOBES, HULL_SPLIT_LOBES, HULL_EMIT};
-    static const hull_pass upsample[] = {HULL_BOUNDS, HULL_GATHER_FAR, HULL_UPSAMPLE_FAR};
+    const hull_pass upsample[] = {HULL_BOUNDS, h->push.tau > 0 ? HULL_GATHER_FAR : HULL_GATHER_ALL,
+                                  HULL_UPSAMPLE_FAR};
     const hull_pass *own = h->kind == HULL_UPSAMPLE ? upsample
                            : h->kind == HULL_LOBES  ? lobes
                                                     : moments;
@@ -137,6 +142,7 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
     h->tiles = x * y;
     h->blocks = 16 * h->tiles;
     h->kind = settings->kind;
+    h->tau = settings->tau;
     h->push = (hull_push){.tiles_x = x,
                           .tiles_y = y,
                           .link_plane = settings->link_plane,
@@ -148,7 +154,8 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
                           .plane = settings->plane,
                           .power = settings->power,
                           .least = settings->least,
-                          .has_even = settings->kind == HULL_MOMENTS};
+                          .has_even = settings->kind == HULL_MOMENTS,
+                          .merge = settings->merge};
     if (h->kind == HULL_UPSAMPLE) {
         h->push.factor = settings->factor;
         h->push.blocks_x = (frame->width + settings->factor - 1) / settings->factor;
@@ -204,23 +211,46 @@ static void add_upsampling(hull_list *l)
         add_near_lists(l);
         hull_add(l, "next", HULL_NEXT, HULL_LEVELS);
     }
+    hull_pass gather = h->push.tau > 0 ? HULL_GATHER_FAR : HULL_GATHER_ALL;
     /* bands are numbered by the push's level */
     uint32_t across = h->push.blocks_x,
              rows = (uint32_t)(gpu_buffer_size(h->buffers[HULL_B_FAR_SAMPLES]) / HULL_SAMPLE_BYTES /
                                across) -
                     1;
     for (uint32_t band = 0; band * rows <= h->push.blocks_y; band++) {
-        hull_add(l, "gather", HULL_GATHER_FAR, (int)band)->groups[0] =
-            (across * (rows + 1) + 63) / 64;
+        hull_add(l, "gather", gather, (int)band)->groups[0] = (across * (rows + 1) + 63) / 64;
         gpu_step *step = hull_add(l, "upsample", HULL_UPSAMPLE_FAR, (int)band);
         step->groups[0] = (l->frame->width + 63) / 64;
         step->groups[1] = rows;
     }
 }
 
+/* The errors of many small lights add up: a quarter of tau for 16 times as many keeps the sum. */
+static float tau_for(const hull *h, uint32_t lights)
+{
+    const float usual = 256;
+    return (float)lights > usual ? h->tau * sqrtf(usual / (float)lights) : h->tau;
+}
+
+/* On the host, which has made the lights. */
+static void build_tree(render_frame *frame, hull *h, render_statistics *statistics)
+{
+    struct timespec begun, ended;
+    h->push.tau = tau_for(h, frame->light_count);
+    clock_gettime(CLOCK_MONOTONIC, &begun);
+    h->push.nodes_end = (uint32_t)light_tree_build(
+        gpu_buffer_map(frame->lights), frame->light_count, h->push.merge > 0 && h->tau > 0,
+        gpu_buffer_map(h->buffers[HULL_B_TREE]));
+    clock_gettime(CLOCK_MONOTONIC, &ended);
+    statistics_add_time(statistics, "tree",
+                        1e3 * (double)(ended.tv_sec - begun.tv_sec) +
+                            1e-6 * (double)(ended.tv_nsec - begun.tv_nsec));
+}
+
 gpu_status hull_run(render_frame *frame, void *state, render_statistics *statistics)
 {
-    const hull *h = state;
+    hull *h = state;
+    build_tree(frame, h, statistics);
     hull_list l = {.frame = frame, .h = h};
     for (uint32_t i = 0; i <= HULL_LEVELS; i++) {
         l.pushes[i] = h->push;

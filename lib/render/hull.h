@@ -11,6 +11,7 @@ enum {
     HULL_MOST_COMPONENTS = 64, /* in a tile */
     HULL_BLOCK = 8,
     HULL_MOST_NEAR = 64,
+    HULL_MOST_TILE = 255,
     HULL_VERTEX_BYTES = 13 * 16,
     HULL_SAMPLE_BYTES = 12 * 16,
     HULL_MEAN_ROWS = 9 /* of 32 samples */
@@ -30,6 +31,8 @@ typedef struct hull_settings {
     float tau, tau_width, near_pixels; /* see window.glsl; tau 0: there are no near lights */
     uint32_t factor;                   /* with HULL_UPSAMPLE: pixels along a block */
     float plane, power, least;         /* of upsampling, see shaders/upsample/sample.glsl */
+    float merge; /* error of one light that stands for many, over the mean irradiance, at most;
+                    0: there is no tree, every light is tested and gathered by itself */
 } hull_settings;
 
 extern const hull_settings hull_standard, hull_lobe_standard; /* of the pipelines */

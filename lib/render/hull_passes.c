@@ -22,11 +22,11 @@ static const pass_layout layouts[HULL_PASSES] = {
                     {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
                      HULL_B_VERTEX_PIXELS, HULL_B_QUADS, END}},
     [HULL_MEAN_SAMPLES] = {"hull/mean.comp",
-                           {VIEW, LIGHTS, COUNTERS, POSITION, NORMAL, HULL_B_SAMPLES, END}},
+                           {VIEW, HULL_B_TREE, COUNTERS, POSITION, NORMAL, HULL_B_SAMPLES, END}},
     [HULL_MEAN_SUM] = {"hull/mean_sum.comp", {VIEW, HULL_B_CONTROL, HULL_B_SAMPLES, END}},
     [HULL_NEXT] = {"hull/next.comp", {VIEW, HULL_B_CONTROL, COUNTERS, END}},
     [HULL_GATHER] = {"hull/gather.comp",
-                     {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                     {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
                       HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
     [HULL_SPLIT] = {"hull/split.comp",
                     {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
@@ -36,30 +36,33 @@ static const pass_layout layouts[HULL_PASSES] = {
                     HULL_B_LEAVES, HULL_B_CORNERS, HULL_B_ARGUMENTS, HULL_B_EXACT,
                     HULL_B_EVEN_CORNERS, END}},
     [HULL_CULL_TILE] = {"hull/cull_tile.comp",
-                        {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
+                        {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
                          HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS, END}},
     [HULL_CULL] = {"hull/cull.comp",
-                   {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS,
-                    HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
-    [HULL_NEAR] = {"hull/near.comp",
-                   {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
+                   {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, HULL_B_BLOCK_BOUNDS,
                     HULL_B_TILE_LISTS, HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
+    [HULL_NEAR] = {"hull/near.comp",
+                   {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
+                    HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
     [HULL_GATHER_LOBES] = {"hull/gather_lobe.comp",
-                           {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                           {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
                             HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
     [HULL_SPLIT_LOBES] = {"hull/split_lobe.comp",
                           {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
                            HULL_B_QUADS, HULL_B_VERTICES, HULL_B_LEAVES, POSITION, NORMAL, END}},
     [HULL_BOUNDS] = {"upsample/bounds.comp", {VIEW, POSITION, HULL_B_ROW_BOUNDS, END}},
     [HULL_GATHER_FAR] = {"upsample/gather_far.comp",
+                         {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                          HULL_B_FAR_SAMPLES, END}},
+    [HULL_GATHER_ALL] = {"upsample/gather_sh.comp",
                          {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
                           HULL_B_FAR_SAMPLES, END}},
     [HULL_UPSAMPLE_FAR] = {"upsample/upsample_far.comp",
                            {VIEW, POSITION, NORMAL, LIGHT, HULL_B_FAR_SAMPLES, HULL_B_ARGUMENTS,
                             HULL_B_EXACT, END}},
-    [HULL_EXACT] = {"upsample/exact.comp",
-                    {VIEW, LIGHTS, COUNTERS, POSITION, NORMAL, LIGHT, HULL_B_ARGUMENTS,
-                     HULL_B_EXACT, END}},
+    [HULL_EXACT] = {"hull/exact.comp",
+                    {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
+                     HULL_B_ARGUMENTS, HULL_B_EXACT, END}},
 };
 
 static int binding_kinds(const pass_layout *layout, gpu_binding *bindings)
@@ -97,7 +100,7 @@ gpu_status hull_create_pass(render_frame *frame, hull *h, hull_pass pass)
 {
     gpu_binding bindings[GPU_MAX_BINDINGS];
     int count = binding_kinds(&layouts[pass], bindings);
-    bool none = pass == HULL_EXACT || pass == HULL_MEAN_SAMPLES || pass == HULL_MEAN_SUM;
+    bool none = pass == HULL_MEAN_SUM;
     bool method = pass == HULL_GATHER_LOBES || pass == HULL_SPLIT_LOBES;
     return render_compute(frame, layouts[pass].shader, method, bindings, count,
                           none ? 0 : sizeof(hull_push), &h->passes[pass]);

@@ -3,6 +3,7 @@
 #define RENDER_HULL_PRIVATE_H
 
 #include "hull.h"
+#include "hull_tree.h"
 
 /* Push of shaders/hull/hull.glsl. */
 typedef struct hull_push {
@@ -12,6 +13,8 @@ typedef struct hull_push {
     uint32_t factor, blocks_x, blocks_y;
     float plane, power, least;
     uint32_t has_even;
+    uint32_t nodes_end;
+    float merge;
 } hull_push;
 
 /* Words of Control in shaders/hull/control.glsl. */
@@ -51,6 +54,7 @@ typedef enum hull_pass {
     HULL_SPLIT_LOBES,
     HULL_BOUNDS,
     HULL_GATHER_FAR,
+    HULL_GATHER_ALL,
     HULL_UPSAMPLE_FAR,
     HULL_PASSES
 } hull_pass;
@@ -76,11 +80,13 @@ typedef enum hull_buffer {
     HULL_B_NEAR_LISTS,
     HULL_B_NEAR_BLOCKS,
     HULL_B_FAR_SAMPLES,
+    HULL_B_TREE, /* light_node each */
     HULL_BUFFERS
 } hull_buffer;
 
 typedef struct hull {
     hull_kind kind;
+    float tau; /* of the settings; push.tau is that for the lights of the frame */
     hull_push push;
     uint32_t tiles, blocks;
     gpu_compute *passes[HULL_PASSES];

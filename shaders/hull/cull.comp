@@ -6,10 +6,9 @@
 #define CONTROL_BINDING 3
 #include "../common/frame.glsl"
 #include "../common/counters.glsl"
-#include "../common/lights.glsl"
 #include "hull.glsl"
 #include "control.glsl"
-#include "window.glsl"
+#include "tree.glsl"
 #include "near.glsl"
 
 layout(local_size_x = 64) in;
@@ -36,17 +35,21 @@ void main()
     uint index = gl_GlobalInvocationID.x, tile = index / uint(ACROSS * ACROSS), tested = 0u;
     if (tile < tiles_x * tiles_y && block_bounds[index].low.w > 0.0) {
         Bounds b = block_bounds[index];
-        uint from = tile * (view.size.z + 1u), at = index * (MOST_NEAR + 1u), listed = 0u;
-        tested = tile_lists[from];
-        for (uint i = 1u; i <= tested; i++) {
-            uint light = tile_lists[from + i];
-            if (may_be_near(lights[light], b, mean)) {
+        uint from = tile * (MOST_TILE + 1u), list = index * (MOST_NEAR + 1u), listed = 0u;
+        uint end = tile_lists[from];
+        bool own = end <= MOST_TILE; // else from the tree
+        end = own ? end : nodes_end;
+        for (uint at = 0u; at < end && listed <= MOST_NEAR; tested++) {
+            uint node = own ? tile_lists[from + 1u + at] : at;
+            bool near = may_be_near(node, b, mean);
+            if (near && is_leaf(node)) {
                 listed++;
                 if (listed <= MOST_NEAR)
-                    near_lists[at + listed] = light;
+                    near_lists[list + listed] = node;
             }
+            at = own || near ? at + 1u : nodes[node].skip;
         }
-        near_lists[at] = listed;
+        near_lists[list] = listed;
         if (listed > 0u)
             near_blocks[atomicAdd(near_count, 1u)] = index;
     }

@@ -1,16 +1,15 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // cull_tile.comp: bounds of blocks from those of rows; for each tile, one invocation, the lights that
-// may be near to it, in their order.
+// may be near to it, in the order of the tree.
 #define COUNTERS_BINDING 2
 #define COUNTERS_SHARED
 #define CONTROL_BINDING 3
 #include "../common/frame.glsl"
 #include "../common/counters.glsl"
-#include "../common/lights.glsl"
 #include "hull.glsl"
 #include "control.glsl"
-#include "window.glsl"
+#include "tree.glsl"
 #include "near.glsl"
 
 layout(local_size_x = 8) in;
@@ -25,12 +24,12 @@ layout(set = 0, binding = 5, std430) writeonly buffer BlockBounds
 };
 layout(set = 0, binding = 6, std430) writeonly buffer TileLists
 {
-    uint tile_lists[]; // light_count + 1 each: how many, then which
+    uint tile_lists[]; // MOST_TILE + 1 each: how many there are, then the first of them
 };
 
 void main()
 {
-    uint tile = gl_GlobalInvocationID.x, count = view.size.z, evaluations = 0u;
+    uint tile = gl_GlobalInvocationID.x, evaluations = 0u;
     bool inside = tile < tiles_x * tiles_y;
     Bounds whole = Bounds(vec4(3e38, 3e38, 3e38, 0.0), vec4(-3e38));
     for (int i = 0; i < ACROSS * ACROSS; i++) {
@@ -48,12 +47,17 @@ void main()
         }
     }
     if (inside && whole.low.w > 0.0) {
-        uint at = tile * (count + 1u), listed = 0u;
-        for (uint i = 0u; i < count; i++)
-            if (may_be_near(lights[i], whole, mean))
-                tile_lists[at + ++listed] = i;
-        tile_lists[at] = listed;
-        evaluations = count;
+        uint list = tile * (MOST_TILE + 1u), listed = 0u;
+        for (uint at = 0u; at < nodes_end && listed <= MOST_TILE; evaluations++) {
+            bool near = may_be_near(at, whole, mean);
+            if (near && is_leaf(at)) {
+                listed++;
+                if (listed <= MOST_TILE)
+                    tile_lists[list + listed] = at;
+            }
+            at = near ? at + 1u : nodes[at].skip;
+        }
+        tile_lists[list] = listed;
     }
     counter_add_group(COUNT_EVALUATIONS, evaluations);
 }

@@ -1,13 +1,14 @@
-// gather.glsl: the far light at the new vertices, one invocation a vertex.
+// gather.glsl: the far light at the new vertices, one invocation a vertex: each finds its lights in
+// the tree, some at a time.
 #define COUNTERS_BINDING 2
 #define COUNTERS_SHARED
 #define CONTROL_BINDING 3
 #include "../common/frame.glsl"
 #include "../common/counters.glsl"
-#include "../common/form_factor.glsl"
 #include "hull.glsl"
 #include "control.glsl"
-#include "window.glsl"
+#include "tree.glsl"
+#include "../common/form_factor.glsl"
 #include "moments.glsl"
 #include "vertex_kind.glsl"
 
@@ -24,11 +25,9 @@ layout(set = 0, binding = 7, std430) writeonly buffer Vertices
     Vertex vertices[];
 };
 
-shared Light staged[64];
-
 void main()
 {
-    uint slot = gather_first + gl_GlobalInvocationID.x, count = view.size.z;
+    uint slot = gather_first + gl_GlobalInvocationID.x, done = 0u;
     bool inside = slot < gather_end;
     ivec2 pixel = unpack_pixel(inside ? vertex_pixels[slot] : 0u);
     vec4 place = texelFetch(position_image, pixel, 0);
@@ -39,16 +38,17 @@ void main()
 
     Vertex v = vertex_zero();
     vec3 exact = vec3(0.0);
-    for (uint first = 0u; first < count; first += 64u) {
-        uint mine = first + gl_LocalInvocationIndex;
-        if (mine < count)
-            staged[gl_LocalInvocationIndex] = lights[mine];
-        barrier();
-        uint last = inside ? min(64u, count - first) : 0u;
-        for (uint i = 0u; i < last; i++) {
-            Light l = staged[i];
+    for (uint at = inside ? 0u : nodes_end; at < nodes_end;) {
+        uint count = find_lights(at, x, place.w, mean, done);
+        done += count;
+        for (uint i = 0u; i < count; i++) {
+            Light l = nodes[found[i]].light;
             vec3 window_gradient;
             float far = 1.0 - near_weight(l, x, place.w, mean, window_gradient);
+            if (!is_leaf(found[i])) { // what stands for many is far
+                far = 1.0;
+                window_gradient = vec3(0.0);
+            }
             far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
             float f = form_factor(l, x, n);
             vec3 g = far * form_factor_gradient(l, x, n) - f * window_gradient;
@@ -63,11 +63,10 @@ void main()
             v.gradient1.xyz += e.g * g;
             v.gradient2.xyz += e.b * g;
         }
-        barrier();
     }
     vertex_finish(v, x);
     vertex_local(v, exact - vertex_irradiance(v, x, n));
     if (inside)
         vertices[slot] = v;
-    counter_add_group(COUNT_EVALUATIONS, inside ? count : 0u);
+    counter_add_group(COUNT_EVALUATIONS, done);
 }

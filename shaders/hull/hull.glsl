@@ -33,6 +33,9 @@ layout(push_constant) uniform Push
     uint factor, blocks_x, blocks_y;
     float plane, power, least;
     uint has_even; // are quads with one normal all over drawn by themselves?
+    // the tree over the lights, see tree.glsl
+    uint nodes_end;       // how many nodes it has
+    float merge;          // error of one light for many, over the mean irradiance, at most
 };
 
 struct Quad {

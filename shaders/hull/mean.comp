@@ -1,10 +1,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// mean.comp: the irradiance at a few hundred pixels on a grid, of which mean_sum.comp takes the mean.
+// mean.comp: the irradiance at a few hundred pixels on a grid, of which mean_sum.comp takes the mean,
+// from lights that are taken together as soon as each sees them as a small thing.
 #define COUNTERS_BINDING 2
 #define COUNTERS_SHARED
 #include "../common/frame.glsl"
 #include "../common/counters.glsl"
+#include "hull.glsl"
+#include "tree.glsl"
 #include "../common/form_factor.glsl"
 
 layout(local_size_x = 32) in; // and as many groups as the grid has rows
@@ -16,6 +19,8 @@ layout(set = 0, binding = 5, std430) writeonly buffer Samples
     vec2 samples[]; // irradiance; 1, or 0 without a surface
 };
 
+const float ROUGH = 0.05; // error of a light that stands for many, over its own contribution
+
 void main()
 {
     uvec2 grid = uvec2(32u, gl_NumWorkGroups.x);
@@ -23,9 +28,15 @@ void main()
     ivec2 pixel = ivec2((2u * place + 1u) * view.size.xy / (2u * grid));
     vec4 position = texelFetch(position_image, pixel, 0);
     vec3 n = unpack_normal(texelFetch(normal_image, pixel, 0).x), sum = vec3(0.0);
-    uint count = position.w > 0.0 ? view.size.z : 0u;
-    for (uint i = 0u; i < count; i++)
-        sum += light_exitance(lights[i]) * form_factor(lights[i], position.xyz, n);
-    samples[place.y * grid.x + place.x] = vec2((sum.r + sum.g + sum.b) / 3.0, count > 0u ? 1.0 : 0.0);
-    counter_add_group(COUNT_EVALUATIONS, count);
+    bool surface = position.w > 0.0;
+    uint done = 0u;
+    for (uint at = surface ? 0u : nodes_end; at < nodes_end; done++) {
+        float d2;
+        bool take = stand_error(at, position.xyz, d2) <= ROUGH;
+        vec3 e = take ? light_exitance(nodes[at].light) : vec3(0.0);
+        sum += e * form_factor(nodes[at].light, position.xyz, n);
+        at = take ? nodes[at].skip : at + 1u;
+    }
+    samples[place.y * grid.x + place.x] = vec2((sum.r + sum.g + sum.b) / 3.0, surface ? 1.0 : 0.0);
+    counter_add_group(COUNT_EVALUATIONS, done);
 }

@@ -2,16 +2,16 @@
 #extension GL_GOOGLE_include_directive : require
 // near.comp: adds the near light to the pixels of the blocks that have any. A group is a block of
 // 8 x 8 pixels, an invocation does 4 x 2 of them: it tests the block's lights against the bounds of
-// its own pixels, 32 at a time into the bits of a word, then evaluates those that are left.
+// its own pixels, then evaluates those that are left, some at a time.
 #define COUNTERS_BINDING 2
 #define COUNTERS_SHARED
 #define CONTROL_BINDING 3
 #include "../common/frame.glsl"
 #include "../common/counters.glsl"
-#include "../common/form_factor.glsl"
 #include "hull.glsl"
 #include "control.glsl"
-#include "window.glsl"
+#include "tree.glsl"
+#include "../common/form_factor.glsl"
 #include "near.glsl"
 
 layout(local_size_x = 8) in;
@@ -19,15 +19,11 @@ layout(local_size_x = 8) in;
 layout(set = 0, binding = 4) uniform sampler2D position_image;
 layout(set = 0, binding = 5) uniform usampler2D normal_image;
 layout(set = 0, binding = 6, rgba32f) uniform image2D light_image;
-layout(set = 0, binding = 7, std430) readonly buffer TileLists
-{
-    uint tile_lists[];
-};
-layout(set = 0, binding = 8, std430) readonly buffer NearLists
+layout(set = 0, binding = 7, std430) readonly buffer NearLists
 {
     uint near_lists[];
 };
-layout(set = 0, binding = 9, std430) readonly buffer NearBlocks
+layout(set = 0, binding = 8, std430) readonly buffer NearBlocks
 {
     uint near_blocks[];
 };
@@ -41,12 +37,9 @@ void main()
     ivec2 pixel = TILE * ivec2(tile % tiles_x, tile / tiles_x)
         + BLOCK * ivec2(place % uint(ACROSS), place / uint(ACROSS))
         + ivec2(4u * (gl_LocalInvocationIndex & 1u), 2u * (gl_LocalInvocationIndex >> 1));
-    uint count = near_lists[list];
-    bool own = count <= MOST_NEAR;
-    if (!own) {
-        list = tile * (view.size.z + 1u);
-        count = tile_lists[list];
-    }
+    uint end = near_lists[list];
+    bool own = end <= MOST_NEAR; // else from the tree
+    end = own ? end : nodes_end;
 
     vec4 positions[PIXELS];
     vec3 normals[PIXELS], sums[PIXELS];
@@ -65,17 +58,19 @@ void main()
             surfaces++;
         }
     }
-    count = surfaces > 0u ? count : 0u;
-    for (uint first = 1u; first <= count; first += 32u) {
-        uint some = min(32u, count + 1u - first), hits = 0u;
-        for (uint j = 0u; j < some; j++) {
-            uint light = own ? near_lists[list + first + j] : tile_lists[list + first + j];
-            hits |= may_be_near(lights[light], bounds, mean) ? 1u << j : 0u;
+    end = surfaces > 0u ? end : 0u;
+    for (uint at = 0u; at < end;) {
+        uint count = 0u;
+        for (; at < end && count < MOST_FOUND; done++) {
+            uint node = own ? near_lists[list + 1u + at] : at;
+            bool near = may_be_near(node, bounds, mean);
+            found[count] = node;
+            count += near && is_leaf(node) ? 1u : 0u;
+            at = own || near ? at + 1u : nodes[node].skip;
         }
-        done += some + surfaces * uint(bitCount(hits));
-        for (; hits != 0u; hits &= hits - 1u) {
-            uint at = list + first + uint(findLSB(hits));
-            Light l = lights[own ? near_lists[at] : tile_lists[at]];
+        done += surfaces * count;
+        for (uint j = 0u; j < count; j++) {
+            Light l = nodes[found[j]].light;
             for (int i = 0; i < PIXELS; i++) {
                 vec3 gradient;
                 float weight = near_weight(l, positions[i].xyz, positions[i].w, mean, gradient);

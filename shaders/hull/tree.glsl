@@ -1,0 +1,99 @@
+// tree.glsl: the lights in a tree (lib/render/hull_tree.h), descended by every invocation on its own.
+//
+// Nodes come in the order of a descent, so that a descent needs no stack: to open a node is to go to
+// the next one, to be done with it is to skip what is below. Leaves are lights; any other node has a
+// triangle of light that may stand for all that is below where it is far enough.
+#ifndef TREE_GLSL
+#define TREE_GLSL
+
+#define LIGHTS_UNBOUND
+#include "../common/lights.glsl"
+#include "window.glsl"
+
+struct Node {
+    Light light;
+    vec4 middle; // w: radius around it
+    vec4 axis;   // normal of the triangle; w: flux of all that is below, mean of the colours
+    float spread, bend, slack, reach, strongest, smallest;
+    uint skip, index;
+};
+
+#ifndef TREE_BINDING
+#define TREE_BINDING 1
+#endif
+layout(set = 0, binding = TREE_BINDING, std430) readonly buffer Tree
+{
+    Node nodes[];
+};
+
+bool is_leaf(uint node)
+{
+    return nodes[node].skip == node + 1u;
+}
+
+// How much the triangle errs about, over the flux that arrives; 0 for leaves. Its centre and its
+// covariance are right, so what lies in one plane errs from the third power of its size on; lights
+// off that plane err from the second; lights that are turned from the others at once where x is
+// in front of some and behind others, else with their distance from the middle.
+float stand_error(uint node, vec3 x, out float d2)
+{
+    vec3 r = x - nodes[node].middle.xyz;
+    d2 = max(dot(r, r), 1e-12);
+    float inv = inversesqrt(d2), q = nodes[node].middle.w * inv, spread = nodes[node].spread;
+    float up = abs(dot(r, nodes[node].axis.xyz)) * inv;
+    bool beside = up < spread + nodes[node].slack * inv;
+    float error = q * q * (q + nodes[node].bend) + spread * (beside ? q + 0.5 : q);
+    return is_leaf(node) ? 0.0 : q > 0.67 ? 3e38 : error;
+}
+
+// Is x behind all lights below the node?
+bool is_behind(uint node, vec3 x)
+{
+    vec3 r = x - nodes[node].middle.xyz;
+    float most = nodes[node].slack + nodes[node].spread * length(r);
+    return dot(r, nodes[node].axis.xyz) + most < light_closest;
+}
+
+// The estimated error of window.glsl of the nodes' worst light, over tau, d from its rim.
+float node_near_error(uint node, float d, float depth, float mean_irradiance)
+{
+    float h = near_pixels * view.eye.w * depth;
+    float contribution = nodes[node].strongest / (PI * d * d + nodes[node].smallest);
+    return contribution * h * h / (d * d * tau * mean_irradiance);
+}
+
+// Is it far enough from x to be taken for one light: no light below is near, and the triangle
+// errs by no more than a share merge of the mean irradiance.
+bool is_one_light(uint node, vec3 x, float depth, float mean_irradiance)
+{
+    float d2;
+    float error = stand_error(node, x, d2) * nodes[node].axis.w / (PI * d2);
+    bool good = error <= merge * mean_irradiance;
+    if (tau > 0.0) {
+        float d = max(sqrt(d2) - nodes[node].reach, 1e-6);
+        good = good && window_place(node_near_error(node, d, depth, mean_irradiance)) <= 0.0;
+    }
+    return good || is_leaf(node);
+}
+
+// What a descent has found, and where it goes on.
+const uint MOST_FOUND = 32u;
+uint found[MOST_FOUND];
+
+// The next nodes that stand for far lights, or are lights, at x; how many. at: 0 at first; nodes_end
+// when there are no more. tested: grows by the nodes that were tested.
+uint find_lights(inout uint at, vec3 x, float depth, float mean_irradiance, inout uint tested)
+{
+    uint count = 0u;
+    while (at < nodes_end && count < MOST_FOUND) {
+        bool take = is_one_light(at, x, depth, mean_irradiance);
+        found[count] = at;
+        bool behind = is_behind(at, x);
+        tested += is_leaf(at) && !behind ? 0u : 1u; // the others are evaluated, and counted then
+        count += take && !behind ? 1u : 0u;
+        at = take || behind ? nodes[at].skip : at + 1u;
+    }
+    return count;
+}
+
+#endif

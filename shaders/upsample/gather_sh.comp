@@ -1,0 +1,5 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// gather_sh.comp: see gather_far.glsl; of all lights.
+#define ALL_LIGHTS
+#include "gather_far.glsl"
