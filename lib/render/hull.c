@@ -13,7 +13,7 @@ const hull_settings hull_standard = {
     .tau = 0.2F,
     .tau_width = 3,
     .near_pixels = 16,
-    .merge = 0.003F,
+    .merge = 0.002F,
 };
 const hull_settings hull_lobe_standard = {
     .kind = HULL_LOBES,
@@ -23,7 +23,7 @@ const hull_settings hull_lobe_standard = {
     .tau = 0.2F,
     .tau_width = 3,
     .near_pixels = 16,
-    .merge = 0.003F,
+    .merge = 0.002F,
 };
 
 void hull_destroy(void *state)
