@@ -36,7 +36,7 @@ static void make_steps(hull_settings settings[STEPS], scenes_variant steps[STEPS
         if (!of[i].splits)
             settings[i].split = never;
         if (!of[i].near)
-            settings[i].tau = 0;
+            settings[i].tau = never; /* no light is so near */
         steps[i] = (scenes_variant){.like = of[i].kind == HULL_LOBES ? &hull_lobe_pipeline
                                                                      : &hull_pipeline,
                                     .create = create_hull,
