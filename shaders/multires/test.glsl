@@ -60,8 +60,9 @@ void add_light(uint light, bool joined, bool may_own, bool one_surface, Surface 
         barrier();
         part = compare(light, joined, seen, sub.found, steepest);
         shares = joined && !(may_own && (!one_surface || steepest > QUAD_STEEP));
-        // to the other points where some of these are seen, but not all
-        goes_on = !shares && in_part(bits);
+        // to the other points where some of what the four looked at is seen, but not all: a pixel
+        // that saw nothing of its own may be beside one that did
+        goes_on = !shares && part;
         sub.own = sub.own || (may_own && goes_on);
     }
     own = shares ? together : own;
