@@ -225,6 +225,19 @@ bool report_scene_charts(report *report)
         good &&
         draw_chart(report, &(chart){"growth.csv", "amount", "lighting_ms", "what", "lights", NULL},
                    &lights);
-    figure_end(page, "Lighting time over triangles and over lights.");
+    static const char *const of_lights[][2] = {{"evaluations", "light evaluations"},
+                                               {"rel", "rel"}};
+    for (size_t i = 0; i < sizeof of_lights / sizeof *of_lights; i++) {
+        plot more = {.id = i == 0 ? "scene_lights_evaluations" : "scene_lights_rel",
+                     .title = "finer reflective shadow maps",
+                     .x_label = "lights",
+                     .y_label = of_lights[i][1]};
+        good = good &&
+               draw_chart(report,
+                          &(chart){"growth.csv", "amount", of_lights[i][0], "what", "lights", NULL},
+                          &more);
+    }
+    figure_end(page,
+               "Lighting time over triangles and over lights; evaluations and error over lights.");
     return good;
 }
