@@ -12,23 +12,7 @@
 #include "base/json.h"
 #include "capture.h"
 #include "program.h"
-#include "workspace.h"
-
-static workspace at;
-
-static int open_workspace(void **state)
-{
-    (void)state;
-    workspace_open(&at);
-    return 0;
-}
-
-static int close_workspace(void **state)
-{
-    (void)state;
-    workspace_close(&at);
-    return 0;
-}
+#include "work.h"
 
 /* Skips where the driver is missing, unless CI is set. */
 static run render_or_skip(const char *const *arguments)
@@ -98,10 +82,10 @@ static void files_hold_the_frame(void **state)
 {
     (void)state;
     char first[1100], second[1100], picture[1100], stats[1100];
-    snprintf(first, sizeof first, "%s", workspace_path(&at, "first.exr"));
-    snprintf(second, sizeof second, "%s", workspace_path(&at, "second.exr"));
-    snprintf(picture, sizeof picture, "%s", workspace_path(&at, "picture.png"));
-    snprintf(stats, sizeof stats, "%s", workspace_path(&at, "stats.json"));
+    snprintf(first, sizeof first, "%s", workspace_path(&work, "first.exr"));
+    snprintf(second, sizeof second, "%s", workspace_path(&work, "second.exr"));
+    snprintf(picture, sizeof picture, "%s", workspace_path(&work, "picture.png"));
+    snprintf(stats, sizeof stats, "%s", workspace_path(&work, "stats.json"));
     const char *const *both[] = {(const char *const[]){"render", "--size", "48x27", "--pipeline",
                                                        "exact", "--layers", "--out", first, "--png",
                                                        picture, "--stats", stats, NULL},
@@ -156,7 +140,7 @@ static void stages_are_dumped_as_pictures(void **state)
 {
     (void)state;
     char folder[1100];
-    snprintf(folder, sizeof folder, "%s", workspace_path(&at, "deep/stages"));
+    snprintf(folder, sizeof folder, "%s", workspace_path(&work, "deep/stages"));
     run r = render_or_skip((const char *const[]){"render", "--size", "40x24", "--pipeline", "exact",
                                                  "--compare", "exact", "--dump", folder, NULL});
     assert_int_equal(r.status, 0);
@@ -167,7 +151,7 @@ static void stages_are_dumped_as_pictures(void **state)
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char name[100];
         snprintf(name, sizeof name, "deep/stages/%s.png", names[i]);
-        char *bytes = workspace_read_path(workspace_path(&at, name), NULL);
+        char *bytes = workspace_read_path(workspace_path(&work, name), NULL);
         if (!bytes)
             fail_msg("%s is missing", name);
         free(bytes);
@@ -187,6 +171,11 @@ static void wrong_input_is_refused_in_one_line(void **state)
         {"--volume", "8", "--indirect lpv"},
         {"--steps", "-1", "from 1 to 1024"},
         {"--steps", "9", "--indirect lpv"},
+        {"--size", "10x0", "--size"},
+        {"--size", "10x", "--size"},
+        {"--size", "1e9x5", "--size"},
+        {"--size", "5x99999999999999999999", "--size"},
+        {"--size", "5x5x5", "--size"},
         {"--size", "12", "--size"},
         {"--size", "x", "--size"},
         {"--size", "4x-4", "--size"},
@@ -196,6 +185,8 @@ static void wrong_input_is_refused_in_one_line(void **state)
         {"--runs", "0", "--runs"},
         {"--runs", "1001", "1000"},
         {"--compare", "limit", "exact"},
+        {"--compare", "meder", "--compare"},
+        {"--window", NULL, "--window"},
         {"--scene", "/nonexistent/scene.json", "/nonexistent/scene.json"},
         {"--layers", NULL, "--out"},
     };
@@ -237,7 +228,7 @@ static void nothing_is_left_of_a_failed_output(void **state)
 {
     (void)state;
     char stats[1100];
-    snprintf(stats, sizeof stats, "%s", workspace_path(&at, "late.json"));
+    snprintf(stats, sizeof stats, "%s", workspace_path(&work, "late.json"));
     run r = render_or_skip((const char *const[]){"render", "--size", "8x8", "--pipeline", "limit",
                                                  "--out", "/nonexistent/folder/a.exr", "--stats",
                                                  stats, NULL});
@@ -257,5 +248,5 @@ int main(void)
         cmocka_unit_test(a_missing_device_is_one_line),
         cmocka_unit_test(nothing_is_left_of_a_failed_output),
     };
-    return cmocka_run_group_tests(tests, open_workspace, close_workspace);
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }
