@@ -72,7 +72,7 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
         [HULL_B_ARGUMENTS] = 16,
         [HULL_B_EXACT] = 4 * pixels,
         [HULL_B_LINKS] = 16 * HULL_TILE * tiles,
-        [HULL_B_ROW_BOUNDS] = 128 * HULL_TILE * tiles,
+        [HULL_B_ROW_BOUNDS] = 128 * (HULL_TILE / HULL_ROWS) * tiles,
         [HULL_B_MASKS] = 4 * HULL_TILE * HULL_MOST_COMPONENTS * tiles,
         [HULL_B_COMPONENTS] = 8 * HULL_MOST_COMPONENTS * tiles,
         [HULL_B_MAP] = 4 * pixels,
@@ -185,7 +185,7 @@ static void add_hull(hull_list *l)
     const hull *h = l->h;
     bool lobes = h->kind == HULL_LOBES;
     hull_add_fill(l, "reset", HULL_B_MAP, 0);
-    hull_add_groups(l, "links", HULL_LINKS, (h->tiles * HULL_TILE + 63) / 64);
+    hull_add_groups(l, "links", HULL_LINKS, (h->tiles * (HULL_TILE / HULL_ROWS) + 63) / 64);
     hull_add_groups(l, "components", HULL_COMPONENTS, (h->tiles + 7) / 8);
     add_near_lists(l);
     for (int level = 0; level < HULL_LEVELS; level++) {
@@ -207,7 +207,8 @@ static void add_upsampling(hull_list *l)
 {
     const hull *h = l->h;
     if (h->push.tau > 0) {
-        hull_add_groups(l, "bounds", HULL_BOUNDS, (4 * HULL_TILE * h->tiles + 63) / 64);
+        hull_add_groups(l, "bounds", HULL_BOUNDS,
+                        (4 * (HULL_TILE / HULL_ROWS) * h->tiles + 63) / 64);
         add_near_lists(l);
         hull_add(l, "next", HULL_NEXT, HULL_LEVELS);
     }

@@ -7,6 +7,7 @@
 
 enum {
     HULL_TILE = 32,
+    HULL_ROWS = 4, /* of a tile that are read together, ROWS of shaders/hull/hull.glsl */
     HULL_LEVELS = 4,
     HULL_MOST_COMPONENTS = 64, /* in a tile */
     HULL_BLOCK = 8,

@@ -64,7 +64,7 @@ typedef enum hull_buffer {
     HULL_B_ARGUMENTS,  /* of the exact pass */
     HULL_B_EXACT,      /* its pixels */
     HULL_B_LINKS,      /* uvec4 a row of a tile */
-    HULL_B_ROW_BOUNDS, /* 4 Bounds a row of a tile */
+    HULL_B_ROW_BOUNDS, /* 4 Bounds for HULL_ROWS rows of a tile */
     HULL_B_MASKS,      /* 32 words a component */
     HULL_B_COMPONENTS, /* label and number of pixels */
     HULL_B_MAP,        /* a word a pixel */

@@ -1,6 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// cull_tile.comp: bounds of blocks from those of rows; for each tile, one invocation, the lights that
+// cull_tile.comp: bounds of blocks from those that links.comp noted; for each tile, one invocation, the lights that
 // may be near to it, in the order of the tree.
 #define COUNTERS_BINDING 2
 #define COUNTERS_SHARED
@@ -35,8 +35,8 @@ void main()
     for (int i = 0; i < ACROSS * ACROSS; i++) {
         if (inside) {
             Bounds b = Bounds(vec4(3e38, 3e38, 3e38, 0.0), vec4(-3e38));
-            uint row = tile * uint(TILE) + uint(BLOCK * (i / ACROSS));
-            for (uint y = 0u; y < uint(BLOCK); y++) {
+            uint row = (tile * uint(TILE) + uint(BLOCK * (i / ACROSS))) / uint(ROWS);
+            for (uint y = 0u; y < uint(BLOCK / ROWS); y++) {
                 Bounds r = row_bounds[uint(ACROSS) * (row + y) + uint(i % ACROSS)];
                 b.low = vec4(min(b.low.xyz, r.low.xyz), max(b.low.w, r.low.w));
                 b.high = max(b.high, r.high);

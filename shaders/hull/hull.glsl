@@ -9,6 +9,7 @@
 #define HULL_GLSL
 
 const int TILE = 32;
+const int ROWS = 4; // of a tile that are read together, see links.comp
 const uint MOST_COMPONENTS = 64u; // in a tile; the pixels of more are lit exactly
 const uint SMALL_COMPONENT = 1u;  // as many pixels or fewer are lit exactly
 const uint LEVELS = 4u;           // how often quads are split, at most, plus 1

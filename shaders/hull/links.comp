@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// links.comp: which neighbouring pixels lie on one surface, as bits: an invocation walks along one
-// row of a tile. On the way it notes the bounds of each 8 pixels for choosing near lights.
+// links.comp: which neighbouring pixels lie on one surface, as bits: an invocation walks along some
+// rows of a tile, so that it reads few pixels twice. On the way it notes the bounds of each 8 x ROWS
+// pixels for choosing near lights.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 
@@ -15,73 +16,81 @@ layout(set = 0, binding = 3, std430) writeonly buffer Links
 };
 layout(set = 0, binding = 4, std430) writeonly buffer RowBounds
 {
-    vec4 row_bounds[]; // 8 pixels: least corner, greatest depth; greatest corner
+    vec4 row_bounds[]; // 8 x ROWS pixels: least corner, greatest depth; greatest corner
 };
 
-void fetch(ivec2 p, out vec4 position, out vec3 normal, out uint shading)
+const int PARTS = TILE / ROWS; // of a tile
+
+struct Pixel {
+    vec4 position;
+    vec3 normal;  // of the triangle
+    uint shading; // packed shading normal
+};
+
+Pixel fetch(ivec2 p)
 {
     bool inside = all(lessThan(p, ivec2(view.size.xy)));
-    position = inside ? texelFetch(position_image, p, 0) : vec4(0.0);
+    vec4 position = inside ? texelFetch(position_image, p, 0) : vec4(0.0);
     uvec2 normals = inside ? texelFetch(normal_image, p, 0).xy : uvec2(0u);
-    shading = normals.x;
-    normal = unpack_normal(normals.y);
+    return Pixel(position, unpack_normal(normals.y), normals.x);
 }
 
 // The same surface: neither pixel lies off the other's plane, and their normals agree.
-bool linked(vec4 p, vec3 n, vec4 q, vec3 m)
+bool linked(Pixel p, Pixel q)
 {
-    vec3 d = q.xyz - p.xyz;
-    float nearer = min(p.w, q.w);
-    float off = max(abs(dot(n, d)), abs(dot(m, d)));
-    return nearer > 0.0 && off < link_plane * nearer && dot(n, m) > link_cosine;
+    vec3 d = q.position.xyz - p.position.xyz;
+    float nearer = min(p.position.w, q.position.w);
+    float off = max(abs(dot(p.normal, d)), abs(dot(q.normal, d)));
+    return nearer > 0.0 && off < link_plane * nearer && dot(p.normal, q.normal) > link_cosine;
 }
 
-// Do two packed normals differ by more than rounding?
-bool differ(uint a, uint b)
+// Do their shading normals differ by more than rounding?
+bool differ(Pixel p, Pixel q)
 {
+    uint a = p.shading, b = q.shading;
     ivec2 x = ivec2(int(a << 16), int(a)) >> 16, y = ivec2(int(b << 16), int(b)) >> 16;
     return any(greaterThan(abs(x - y), ivec2(2)));
 }
 
 void main()
 {
-    uint row = gl_GlobalInvocationID.x, tile = row / uint(TILE);
+    uint part = gl_GlobalInvocationID.x, tile = part / uint(PARTS);
     if (tile >= tiles_x * tiles_y)
         return;
-    ivec2 p = TILE * ivec2(tile % tiles_x, tile / tiles_x) + ivec2(0, row % uint(TILE));
-    uint surface = 0u, right = 0u, down = 0u, uneven = 0u, before_shading = 0u;
+    ivec2 p = TILE * ivec2(tile % tiles_x, tile / tiles_x) + ivec2(0, ROWS * int(part % uint(PARTS)));
+    uvec4 bits[ROWS];
+    Pixel before[ROWS];
+    for (int y = 0; y < ROWS; y++) {
+        bits[y] = uvec4(0u);
+        before[y] = Pixel(vec4(0.0), vec3(0.0), 0u);
+    }
     vec4 low = vec4(3e38, 3e38, 3e38, 0.0);
     vec3 high = vec3(-3e38);
-    vec4 before = vec4(0.0);
-    vec3 before_normal = vec3(0.0);
     for (int x = 0; x <= TILE; x++) {
-        vec4 here, below;
-        vec3 normal, below_normal;
-        uint shading, below_shading;
-        fetch(p + ivec2(x, 0), here, normal, shading);
-        fetch(p + ivec2(x, 1), below, below_normal, below_shading);
-        if (x > 0 && linked(before, before_normal, here, normal)) {
-            right |= 1u << (x - 1);
-            uneven |= differ(before_shading, shading) ? 1u << (x - 1) : 0u;
-        }
         if (x > 0 && x % 8 == 0) {
-            uint at = 2u * (row * uint(TILE / 8) + uint(x / 8 - 1));
+            uint at = 2u * (part * uint(TILE / 8) + uint(x / 8 - 1));
             row_bounds[at] = low;
             row_bounds[at + 1u] = vec4(high, 0.0);
             low = vec4(3e38, 3e38, 3e38, 0.0);
             high = vec3(-3e38);
         }
-        if (here.w > 0.0 && x < TILE) {
-            surface |= 1u << x;
-            bool on = linked(here, normal, below, below_normal);
-            down |= on ? 1u << x : 0u;
-            uneven |= on && differ(shading, below_shading) ? 1u << x : 0u;
-            low = vec4(min(low.xyz, here.xyz), max(low.w, here.w));
-            high = max(high, here.xyz);
+        uint here_bit = x < TILE ? 1u << x : 0u, before_bit = x > 0 ? 1u << (x - 1) : 0u;
+        Pixel here = fetch(p + ivec2(x, 0));
+        for (int y = 0; y < ROWS; y++) {
+            Pixel below = fetch(p + ivec2(x, y + 1));
+            bool right = linked(before[y], here), down = linked(here, below);
+            bits[y] |= uvec4(here.position.w > 0.0 ? here_bit : 0u, right ? before_bit : 0u,
+                             down ? here_bit : 0u,
+                             (right && differ(before[y], here) ? before_bit : 0u)
+                                 | (down && differ(here, below) ? here_bit : 0u));
+            if (here.position.w > 0.0) {
+                low = vec4(min(low.xyz, here.position.xyz), max(low.w, here.position.w));
+                high = max(high, here.position.xyz);
+            }
+            before[y] = here;
+            here = below;
         }
-        before = here;
-        before_normal = normal;
-        before_shading = shading;
     }
-    links[row] = uvec4(surface, right, down, uneven);
+    for (int y = 0; y < ROWS; y++)
+        links[part * uint(ROWS) + uint(y)] = bits[y];
 }
