@@ -109,7 +109,7 @@ static void lights_in_parts_are_the_same(void **state)
     f.scene.area_light_count = PARTS;
     for (size_t i = 0; i < 2; i++) {
         multires_settings settings = multires_default;
-        settings.at_once = i ? PARTS : 2;
+        settings.at_once = i ? 4 * PARTS : 2;
         void *made;
         must(multires_create_state(&f.frame, &settings, &made));
         must(render_frame_run(&f.frame, &multires_pipeline, made, &statistics[i]));

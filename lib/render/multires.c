@@ -10,7 +10,8 @@ typedef struct state {
     multires m;
     gpu_compute *test, *additional, *upsample;
     gpu_buffer *kept;    /* by test.comp between its dispatches */
-    uint32_t at_once;    /* lights in a dispatch */
+    bool all_points;     /* an invocation may trace 64 rays to a light, not 16 */
+    uint32_t at_once;    /* lights in a dispatch, where each has 16 rays */
     gpu_step *steps;     /* of a frame */
     multires_push *push; /* of the steps that do some of the lights */
     int step_count;
@@ -31,21 +32,30 @@ static void destroy(void *pointer)
 
 /* ---- Steps --------------------------------------------------------------------------- */
 
-/* Drivers may end a shader whose loops turn often (llvmpipe after 65,535 turns in all): where there
- * are more than at_once lights, rays to so many of them in one dispatch. */
-static size_t parts_of(const state *s)
+/* Drivers may end a shader whose loops turn often (llvmpipe after 65,535 turns in all): so an
+ * invocation traces rays to as many lights in one dispatch as settings have it; to a quarter of
+ * them where each may have four times the rays, of all points of a light. */
+static uint32_t lights_at_once(const state *s, int level)
+{
+    return level < 2 && s->all_points && s->at_once > 4 ? s->at_once / 4
+           : level < 2 && s->all_points                 ? 1
+                                                        : s->at_once;
+}
+
+static uint32_t parts_of(const state *s, uint32_t at_once)
 {
     uint32_t lights = s->m.shadows.light_count;
-    return lights > s->at_once ? (lights + s->at_once - 1) / s->at_once : 1;
+    return lights > at_once ? (lights + at_once - 1) / at_once : 1;
 }
 
 /* One step over a list for each part of the lights. */
-static void add_parts(state *s, gpu_step step, multires_push push, multires_push **next)
+static void add_parts(state *s, gpu_step step, multires_push push, uint32_t at_once,
+                      multires_push **next)
 {
-    for (uint32_t i = 0, parts = (uint32_t)parts_of(s); i < parts; i++) {
-        push.first_light = i * s->at_once;
+    for (uint32_t i = 0, parts = parts_of(s, at_once); i < parts; i++) {
+        push.first_light = i * at_once;
         if (i + 1 < parts)
-            push.last_light = push.first_light + s->at_once;
+            push.last_light = push.first_light + at_once;
         else
             push.last_light = s->m.shadows.light_count;
         **next = push;
@@ -59,7 +69,7 @@ static void make_steps(render_frame *frame, state *s)
     static const char *const names[] = {NULL, "sub-fragment visibility 2",
                                         "sub-fragment visibility 4", "sub-fragment visibility 8",
                                         "sub-fragment visibility 16"};
-    size_t most = 2 * RENDER_LEVELS * parts_of(s);
+    size_t most = 2 * RENDER_LEVELS * (size_t)parts_of(s, lights_at_once(s, 0));
     s->steps = base_allocate((most + 8) * sizeof *s->steps);
     s->push = base_allocate(most * sizeof *s->push);
     multires_push *next = s->push;
@@ -67,18 +77,19 @@ static void make_steps(render_frame *frame, state *s)
     for (int l = RENDER_LEVELS - 1; l > 0; l--) {
         gpu_step step = multires_list_step(frame, &s->m, names[l], s->test, l, l, s->kept);
         multires_push push = s->m.push[l];
-        uint32_t rounds = push.last_round;
-        if (parts_of(s) == 1)
-            add_parts(s, step, push, &next);
-        for (uint32_t round = 0; parts_of(s) > 1 && round < rounds; round++) {
+        uint32_t rounds = push.last_round, at_once = lights_at_once(s, l);
+        bool together = s->m.shadows.light_count * rounds <= at_once;
+        if (together)
+            add_parts(s, step, push, at_once, &next);
+        for (uint32_t round = 0; !together && round < rounds; round++) {
             push.first_round = round;
             push.last_round = round + 1;
-            add_parts(s, step, push, &next);
+            add_parts(s, step, push, at_once, &next);
         }
     }
     gpu_step more =
         multires_list_step(frame, &s->m, "additional samples", s->additional, 0, 0, NULL);
-    add_parts(s, more, s->m.push[0], &next);
+    add_parts(s, more, s->m.push[0], lights_at_once(s, 0), &next);
     gpu_step *up = &s->steps[s->step_count++];
     *up = multires_step(frame, &s->m, "single-pass upsampling", s->upsample, 0, frame->light);
     up->groups[0] = (frame->width + 15) / 16;
@@ -90,7 +101,7 @@ static void make_steps(render_frame *frame, state *s)
 /* 32 bytes for each of the four sub-fragments of as many fragments as level 1 has. */
 static gpu_status create_kept(render_frame *frame, state *s)
 {
-    size_t bytes = parts_of(s) > 1 ? 32 * ((size_t)256 * s->m.tiles + 64) : 16;
+    size_t bytes = s->m.shadows.light_count > 1 ? 32 * ((size_t)256 * s->m.tiles + 64) : 16;
     if (bytes > (size_t)128 << 20)
         return gpu_fail(GPU_UNSUPPORTED,
                         "%u x %u pixels: what is known of them between some of %u area lights and "
@@ -105,7 +116,7 @@ gpu_status multires_create_state(render_frame *frame, const multires_settings *s
     static const gpu_binding image = GPU_STORAGE_IMAGE, buffer = GPU_STORAGE_BUFFER;
     *pointer = NULL;
     state *s = base_allocate(sizeof *s);
-    *s = (state){.at_once = settings->at_once};
+    *s = (state){.all_points = settings->points != MULTIRES_SAME, .at_once = settings->at_once};
     gpu_status status = multires_create(frame, settings, &s->m);
     if (status == GPU_OK)
         status = create_kept(frame, s);

@@ -36,10 +36,11 @@ static gpu_status create_visible(render_frame *frame, state *s)
     return gpu_buffer_create(frame->device, bytes, &s->visible);
 }
 
-/* Lights of which an invocation traces all rays before a driver may end its loops. */
+/* Lights of which an invocation traces all rays: drivers may end a shader whose loops turn often,
+ * and 64 rays through deep trees turn a lot. */
 static void make_parts(state *s)
 {
-    enum { AT_ONCE = 3 };
+    enum { AT_ONCE = 1 };
     uint32_t lights = s->m.shadows.light_count;
     s->parts = lights > AT_ONCE ? (lights + AT_ONCE - 1) / AT_ONCE : 1;
     s->push = base_allocate(s->parts * RENDER_LEVELS * sizeof *s->push);

@@ -6,6 +6,16 @@
 #include "shadows.h"
 #include "upsample.h"
 
+/* Push constants of the passes that trace, for one light each: drivers may end a shader whose loops
+ * turn often. */
+typedef struct light_push {
+    uint32_t first, last;
+} light_push;
+typedef struct gather_push {
+    upsample_settings settings;
+    light_push lights;
+} gather_push;
+
 typedef struct state {
     shadows shadows;
     upsample_settings settings;
@@ -36,11 +46,12 @@ static gpu_status create_passes(render_frame *frame, state *s)
                                      GPU_FETCHED,        GPU_FETCHED,       GPU_STORAGE_IMAGE,
                                      GPU_STORAGE_BUFFER, GPU_STORAGE_BUFFER};
     uint32_t push = sizeof(upsample_settings);
-    gpu_status status = shadows_compute(frame, "shadows/gather.comp", gather, 2, push, &s->gather);
+    gpu_status status = shadows_compute(frame, "shadows/gather.comp", gather, 2,
+                                        sizeof(gather_push), &s->gather);
     if (status == GPU_OK)
         status = render_compute(frame, "upsample/upsample.comp", false, up, 8, push, &s->upsample);
     if (status == GPU_OK)
-        status = shadows_compute(frame, "shadows/rest.comp", rest, 3, 0, &s->rest);
+        status = shadows_compute(frame, "shadows/rest.comp", rest, 3, sizeof(light_push), &s->rest);
     return status;
 }
 
@@ -81,31 +92,58 @@ static gpu_status create(render_frame *frame, uint32_t factor, void **pointer)
     return status;
 }
 
+static gpu_step gather_step(const render_frame *frame, const state *s, const gather_push *push)
+{
+    gpu_step step = {.name = "gather",
+                     .compute = s->gather,
+                     .push = push,
+                     .groups = {(s->settings.blocks_x * s->settings.blocks_y + 63) / 64, 1, 1}};
+    shadows_bind(frame, &s->shadows, &step);
+    step.resources[SHADOWS_BINDINGS] = s->sample_light;
+    step.resources[SHADOWS_BINDINGS + 1] = s->sample_position;
+    return step;
+}
+
+static gpu_step upsample_step(const render_frame *frame, const state *s)
+{
+    return (gpu_step){.name = "upsample",
+                      .compute = s->upsample,
+                      .resources = {frame->view, frame->position, frame->normal, s->sample_light,
+                                    s->sample_position, frame->light, s->arguments, s->list},
+                      .push = &s->settings,
+                      .groups = {(frame->width + 63) / 64, s->settings.blocks_y + 1, 1}};
+}
+
+static gpu_step rest_step(const render_frame *frame, const state *s, const light_push *push)
+{
+    gpu_step step = {
+        .name = "all rays", .compute = s->rest, .push = push, .indirect = s->arguments};
+    shadows_bind(frame, &s->shadows, &step);
+    step.resources[SHADOWS_BINDINGS] = frame->light;
+    step.resources[SHADOWS_BINDINGS + 1] = s->arguments;
+    step.resources[SHADOWS_BINDINGS + 2] = s->list;
+    return step;
+}
+
 static gpu_status run(render_frame *frame, void *pointer, render_statistics *statistics)
 {
     const state *s = pointer;
-    gpu_step steps[] = {
-        {.name = "reset", .fill = s->arguments, .clear_bits = {1}},
-        {.name = "gather",
-         .compute = s->gather,
-         .push = &s->settings,
-         .groups = {(s->settings.blocks_x * s->settings.blocks_y + 63) / 64, 1, 1}},
-        {.name = "upsample",
-         .compute = s->upsample,
-         .resources = {frame->view, frame->position, frame->normal, s->sample_light,
-                       s->sample_position, frame->light, s->arguments, s->list},
-         .push = &s->settings,
-         .groups = {(frame->width + 63) / 64, s->settings.blocks_y + 1, 1}},
-        {.name = "all rays", .compute = s->rest, .indirect = s->arguments},
-    };
-    shadows_bind(frame, &s->shadows, &steps[1]);
-    steps[1].resources[SHADOWS_BINDINGS] = s->sample_light;
-    steps[1].resources[SHADOWS_BINDINGS + 1] = s->sample_position;
-    shadows_bind(frame, &s->shadows, &steps[3]);
-    steps[3].resources[SHADOWS_BINDINGS] = frame->light;
-    steps[3].resources[SHADOWS_BINDINGS + 1] = s->arguments;
-    steps[3].resources[SHADOWS_BINDINGS + 2] = s->list;
-    return shadows_run(frame, steps, (int)(sizeof steps / sizeof *steps), statistics);
+    uint32_t lights = s->shadows.light_count, parts = lights ? lights : 1;
+    gather_push *push = base_allocate(parts * sizeof *push);
+    gpu_step *steps = base_allocate((2 * (size_t)parts + 2) * sizeof *steps);
+    int count = 0;
+    steps[count++] = (gpu_step){.name = "reset", .fill = s->arguments, .clear_bits = {1}};
+    for (uint32_t i = 0; i < parts; i++) {
+        push[i] = (gather_push){s->settings, {i, i < lights ? i + 1 : lights}};
+        steps[count++] = gather_step(frame, s, &push[i]);
+    }
+    steps[count++] = upsample_step(frame, s);
+    for (uint32_t i = 0; i < parts; i++)
+        steps[count++] = rest_step(frame, s, &push[i].lights);
+    gpu_status status = shadows_run(frame, steps, count, statistics);
+    free(steps);
+    free(push);
+    return status;
 }
 
 #define LOW(FACTOR, TITLE)                                                                         \

@@ -1,11 +1,16 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// rest.comp: the pixels that upsample/upsample.comp found no sample for, by all rays.
+// rest.comp: the pixels that upsample/upsample.comp found no sample for, by all rays to some
+// of the lights.
 #include "full.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(set = 0, binding = 9, rgba32f) writeonly uniform image2D light_image;
+layout(push_constant) uniform Push
+{
+    uint first_light, last_light; // of this dispatch, without the last
+};
+layout(set = 0, binding = 9, rgba32f) uniform image2D light_image;
 layout(set = 0, binding = 10, std430) readonly buffer Arguments
 {
     uint exact_groups[3];
@@ -20,10 +25,12 @@ void main()
     ivec2 pixel = ivec2(index % view.size.x, index / view.size.x);
     Surface s = surface_at(pixel);
     s.there = s.there && inside;
-    vec3 irradiance = full_irradiance(s, 0u, light_count, rays);
-    if (s.there)
-        imageStore(light_image, pixel, vec4(irradiance, 1.0));
-    counter_add_group(COUNT_EVALUATIONS, s.there ? light_count : 0u);
-    counter_add_group(COUNT_SAMPLES, s.there ? 1u : 0u);
+    vec3 irradiance = full_irradiance(s, first_light, last_light, rays);
+    if (s.there) {
+        vec3 before = first_light > 0u ? imageLoad(light_image, pixel).rgb : vec3(0.0);
+        imageStore(light_image, pixel, vec4(before + irradiance, 1.0));
+    }
+    counter_add_group(COUNT_EVALUATIONS, s.there ? last_light - first_light : 0u);
+    counter_add_group(COUNT_SAMPLES, s.there && first_light == 0u ? 1u : 0u);
     count_rays(rays);
 }

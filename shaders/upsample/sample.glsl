@@ -10,6 +10,9 @@ layout(push_constant) uniform Push
     float plane;    // distance from the pixel's plane, in blocks, at which a sample counts 1/e
     float power;    // of the cosine between both normals, see likeness.glsl
     float least;    // sum of weights below which a pixel is lit exactly
+#ifdef SAMPLE_LIGHTS
+    uint first_light, last_light; // of this dispatch, without the last
+#endif
 };
 
 #include "block.glsl"
