@@ -77,7 +77,8 @@ typedef bool (*scenes_look)(void *context, render_frame *frame, const scenes_row
                             const float *light, const float *truth, const float *errors);
 
 /* Adds a row for the truth and one for each of the pipelines (ids, NULL-ended) and variants. look
- * may be NULL. False after one line. */
+ * may be NULL. A pipeline that the device cannot do is told in a line and has no row; without the
+ * truth no other has one either. False after one line. */
 bool scenes_measure(const scenes_view *view, const char *const *pipelines, scenes_look look,
                     void *context, scenes_table *table);
 

@@ -35,7 +35,9 @@ static void set_up(multires_settings settings[KINDS * STEPS],
         variants[i] = (scenes_variant){.like = nichols ? &nichols_pipeline : &multires_pipeline,
                                        .create = nichols ? create_nichols : create_multires,
                                        .settings = &settings[i]};
-        snprintf(variants[i].id, sizeof variants[i].id, "%s", kinds[kind]);
+        /* the first two columns */
+        snprintf(variants[i].id, sizeof variants[i].id, "%s,%" PRIu32, kinds[kind],
+                 bits[i % STEPS]);
     }
 }
 
@@ -49,8 +51,8 @@ static bool measure(const scenes_plan *plan, const render_scene *scene, FILE *ou
     scenes_view view = {.device = plan->device,
                         .scene = scene,
                         .name = scene->name,
-                        .width = plan->quick ? 160 : 1024,
-                        .height = plan->quick ? 120 : 768,
+                        .width = plan->quick ? 160 : 640,
+                        .height = plan->quick ? 120 : 480,
                         .truth = "shadows",
                         .variants = variants,
                         .variant_count = KINDS * STEPS};
@@ -58,10 +60,9 @@ static bool measure(const scenes_plan *plan, const render_scene *scene, FILE *ou
     for (size_t i = 1; i < table.count && good; i++) {
         const scenes_row *row = &table.rows[i];
         char rel[BASE_NUMBER_SIZE], p99[BASE_NUMBER_SIZE];
-        fprintf(out, "%s,%" PRIu32 ",%" PRIu64 ",%" PRIu64 ",%s,%s\n", row->pipeline,
-                bits[(i - 1) % STEPS], scenes_fragments(&row->statistics),
-                row->statistics.visibility_rays, base_shortest_f64(row->error.rel, rel),
-                base_shortest_f64(row->error.p99, p99));
+        fprintf(out, "%s,%" PRIu64 ",%" PRIu64 ",%s,%s\n", row->pipeline,
+                scenes_fragments(&row->statistics), row->statistics.visibility_rays,
+                base_shortest_f64(row->error.rel, rel), base_shortest_f64(row->error.p99, p99));
     }
     scenes_table_free(&table);
     return good;

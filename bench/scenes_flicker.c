@@ -18,6 +18,8 @@ static const char *const pipelines[] = {"meder",        "hull",         "hull_lo
 
 /* The last three frames of one pipeline, and its sums over pixels and frames. */
 typedef struct history {
+    char pipeline[SCENES_NAME];
+    int frames;      /* that it made */
     float *light[3]; /* 4 floats a pixel */
     double own, all,
         truth; /* sums of squared second differences: of the error, of E, of the truth */
@@ -27,8 +29,8 @@ typedef struct film {
     history of[MOST_PIPELINES]; /* the truth first */
     size_t pixels;
     int frame;
-    size_t at;   /* pipeline that comes next */
-    double mean; /* of the truth in this frame */
+    size_t count; /* pipelines so far */
+    double mean;  /* of the truth in this frame */
 } film;
 
 static double mean_of(size_t pixels, const float *truth)
@@ -65,26 +67,38 @@ static void accumulate(size_t pixels, history *h, const history *truth, double m
     }
 }
 
+/* By its name: a pipeline may be left out of a frame. NULL: too many. */
+static history *history_of(film *f, const char *pipeline)
+{
+    size_t i = 0;
+    while (i < f->count && strcmp(f->of[i].pipeline, pipeline) != 0)
+        i++;
+    if (i == MOST_PIPELINES)
+        return NULL;
+    if (i == f->count)
+        snprintf(f->of[f->count++].pipeline, SCENES_NAME, "%s", pipeline);
+    return &f->of[i];
+}
+
 static bool look(void *context, render_frame *frame, const scenes_row *row, const float *light,
                  const float *truth, const float *errors)
 {
     film *f = context;
     (void)frame;
-    (void)row;
     (void)errors;
-    if (f->at == MOST_PIPELINES)
+    history *h = history_of(f, row->pipeline);
+    if (!h)
         return true;
-    history *h = &f->of[f->at];
     float *oldest = h->light[0];
     h->light[0] = h->light[1];
     h->light[1] = h->light[2];
     h->light[2] = oldest;
     memcpy(oldest, light, f->pixels * 4 * sizeof *oldest);
-    if (f->at == 0)
+    h->frames++;
+    if (h == &f->of[0])
         f->mean = mean_of(f->pixels, truth);
     if (f->frame >= 2)
         accumulate(f->pixels, h, &f->of[0], f->mean);
-    f->at++;
     return true;
 }
 
@@ -109,15 +123,17 @@ static void swing_spot(render_scene *scene, const render_scene *base, double t)
     scene->spot.target[0] = base->spot.target[0] + 0.1 * t * (base->high[0] - base->low[0]);
 }
 
-static void write_film(FILE *out, const char *what, const film *f, const scenes_table *names)
+/* Of pipelines that made every frame. */
+static void write_film(FILE *out, const char *what, const film *f)
 {
-    for (size_t i = 0; i < names->count; i++) {
+    for (size_t i = 0; i < f->count; i++) {
         const history *h = &f->of[i];
         double frames = f->frame > 2 ? f->frame - 2 : 1;
         char own[BASE_NUMBER_SIZE], ratio[BASE_NUMBER_SIZE];
-        fprintf(out, "%s,%s,%s,%s\n", what, names->rows[i].pipeline,
-                base_shortest_f64(sqrt(h->own / frames), own),
-                base_shortest_f64(h->truth > 0.0 ? sqrt(h->all / h->truth) : 1.0, ratio));
+        if (h->frames == f->frame)
+            fprintf(out, "%s,%s,%s,%s\n", what, h->pipeline,
+                    base_shortest_f64(sqrt(h->own / frames), own),
+                    base_shortest_f64(h->truth > 0.0 ? sqrt(h->all / h->truth) : 1.0, ratio));
     }
 }
 
@@ -129,13 +145,11 @@ bool scenes_shoot(const scenes_plan *plan, const render_scene *base, const scene
         for (int t = 0; t < 3; t++)
             f.of[i].light[t] = base_allocate(f.pixels * 4 * sizeof(float));
     base_progress *progress = base_progress_begin("flicker", (size_t)shot->frames);
-    scenes_table table = {0};
     bool good = true;
     for (f.frame = 0; f.frame < shot->frames && good; f.frame++) {
         render_scene scene = *base;
         shot->move(&scene, base, swing(f.frame, shot->frames));
-        f.at = 0;
-        scenes_table_free(&table);
+        scenes_table table = {0};
         scenes_view view = {.device = plan->device,
                             .scene = &scene,
                             .name = base->name,
@@ -143,12 +157,12 @@ bool scenes_shoot(const scenes_plan *plan, const render_scene *base, const scene
                             .height = shot->height,
                             .truth = shot->truth};
         good = scenes_measure(&view, shot->pipelines, look, &f, &table);
+        scenes_table_free(&table);
         base_progress_step(progress, shot->moving);
     }
     base_progress_end(progress);
     if (good)
-        write_film(out, shot->moving, &f, &table);
-    scenes_table_free(&table);
+        write_film(out, shot->moving, &f);
     for (size_t i = 0; i < MOST_PIPELINES; i++)
         for (int t = 0; t < 3; t++)
             free(f.of[i].light[t]);

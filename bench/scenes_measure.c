@@ -15,6 +15,7 @@ enum { MOST_PIPELINES = 32, MOST_RUNS = 15 };
 typedef struct job {
     const render_pipeline *pipeline;
     void *state;
+    bool left_out; /* the device cannot do it */
     scenes_row row;
     double ms[MOST_RUNS];
 } job;
@@ -24,6 +25,17 @@ static bool failed(const scenes_view *view, const char *id)
     base_error("%s at %ux%u, pipeline %s: %s", view->name, view->width, view->height, id,
                gpu_last_error());
     return false;
+}
+
+/* What a device cannot do is told in a line and left out; false where nothing else will run there
+ * either. */
+static bool goes_on(const scenes_view *view, job *j, gpu_status status)
+{
+    if (status == GPU_OK)
+        return true;
+    j->left_out = true;
+    failed(view, j->row.pipeline);
+    return status != GPU_DEVICE_LOST && status != GPU_NO_DEVICE;
 }
 
 /* Of the passes that every pipeline shares, or of its own. */
@@ -42,8 +54,9 @@ static double sum_of_times(const render_statistics *statistics, bool shared)
 
 static bool run_once(render_frame *frame, const scenes_view *view, job *j, int run)
 {
-    if (render_frame_run(frame, j->pipeline, j->state, &j->row.statistics) != GPU_OK)
-        return failed(view, j->pipeline->id);
+    gpu_status status = render_frame_run(frame, j->pipeline, j->state, &j->row.statistics);
+    if (status != GPU_OK)
+        return goes_on(view, j, status);
     j->ms[run] = sum_of_times(&j->row.statistics, false);
     j->row.frame_ms = sum_of_times(&j->row.statistics, true);
     return true;
@@ -118,7 +131,7 @@ static bool warm_up(render_frame *frame, const scenes_view *view, job *jobs, siz
     scenes_warmth *warm = view->warm;
     for (size_t i = first; i < count; i++) {
         const render_pipeline *pipeline = jobs[i].pipeline;
-        if (is_warm(warm, pipeline))
+        if (jobs[i].left_out || is_warm(warm, pipeline))
             continue;
         if (!run_once(frame, view, &jobs[i], 0))
             return false;
@@ -162,8 +175,10 @@ static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, siz
     int truth_runs = recall_truth(view, &jobs[0], truth);
     bool good = view->runs < 1 || warm_up(frame, view, jobs, truth_runs > 1 ? 0 : 1, count);
     for (int run = 0; run < runs && good; run++)
-        for (size_t i = run < truth_runs ? 0 : 1; i < count && good; i++) {
-            good = run_once(frame, view, &jobs[i], run);
+        for (size_t i = run < truth_runs ? 0 : 1; i < count && good && !jobs[0].left_out; i++) {
+            good = jobs[i].left_out || run_once(frame, view, &jobs[i], run);
+            if (jobs[i].left_out)
+                continue;
             if (good && run == 0 && i == 0)
                 good = keep_truth(frame, view, truth);
             if (good && run == (i == 0 ? truth_runs : runs) - 1)
@@ -174,7 +189,7 @@ static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, siz
         jobs[i].row.lighting_ms = base_median(jobs[i].ms, count_of);
         jobs[i].row.truth_ms = jobs[0].row.lighting_ms;
     }
-    if (good)
+    if (good && !jobs[0].left_out)
         remember_truth(view, &jobs[0], truth);
     free(truth);
     free(light);
@@ -200,7 +215,7 @@ static bool start(render_frame *frame, const scenes_view *view, const char *id, 
         return false;
     }
     name_row(view, id, &j->row);
-    return j->pipeline->create(frame, &j->state) == GPU_OK || failed(view, id);
+    return goes_on(view, j, j->pipeline->create(frame, &j->state));
 }
 
 static bool start_variant(render_frame *frame, const scenes_view *view,
@@ -208,8 +223,7 @@ static bool start_variant(render_frame *frame, const scenes_view *view,
 {
     *j = (job){.pipeline = variant->like};
     name_row(view, variant->id, &j->row);
-    return variant->create(frame, variant->settings, &j->state) == GPU_OK ||
-           failed(view, variant->id);
+    return goes_on(view, j, variant->create(frame, variant->settings, &j->state));
 }
 
 /* The truth, then the others. */
@@ -242,7 +256,7 @@ bool scenes_measure(const scenes_view *view, const char *const *pipelines, scene
     bool good = start_all(&frame, view, truth, pipelines, jobs, &count) &&
                 run_all(&frame, view, jobs, count, look, context);
     for (size_t i = 0; i < count; i++) {
-        if (good)
+        if (good && !jobs[0].left_out && !jobs[i].left_out)
             add_row(table, &jobs[i].row);
         if (jobs[i].state)
             jobs[i].pipeline->destroy(jobs[i].state);

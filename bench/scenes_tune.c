@@ -118,7 +118,7 @@ static bool one_view(scenes_view *view, const trial *trials, size_t count, FILE 
         view->variant_count = length;
         scenes_table table = {0};
         good = scenes_measure(view, none, NULL, NULL, &table);
-        if (good) {
+        if (good && table.count == length + 1) { /* none was left out */
             scenes_table tail = {table.rows + 1, length};
             write_rows(out, &tail, trials + at);
         }

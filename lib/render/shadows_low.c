@@ -46,8 +46,8 @@ static gpu_status create_passes(render_frame *frame, state *s)
                                      GPU_FETCHED,        GPU_FETCHED,       GPU_STORAGE_IMAGE,
                                      GPU_STORAGE_BUFFER, GPU_STORAGE_BUFFER};
     uint32_t push = sizeof(upsample_settings);
-    gpu_status status = shadows_compute(frame, "shadows/gather.comp", gather, 2,
-                                        sizeof(gather_push), &s->gather);
+    gpu_status status =
+        shadows_compute(frame, "shadows/gather.comp", gather, 2, sizeof(gather_push), &s->gather);
     if (status == GPU_OK)
         status = render_compute(frame, "upsample/upsample.comp", false, up, 8, push, &s->upsample);
     if (status == GPU_OK)
