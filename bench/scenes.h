@@ -93,6 +93,10 @@ bool scenes_write_bars(const scenes_table *table, const char *path);
 
 /* ---- scenes_picture.c ------------------------------------------------------------------------ */
 
+/* The frame's picture as SCENE_WHAT.png in a folder. False after one line. */
+bool scenes_write_image(const char *folder, const char *what, const scenes_row *row,
+                        render_frame *frame);
+
 /* The error of each pixel times four in false colours, green low, red high, black where there is no
  * surface. False after one line. */
 bool scenes_write_errors(const char *path, uint32_t width, uint32_t height, const float *errors,

@@ -26,15 +26,12 @@ static bool light_differs(const scenes_row *row, const float *light, const float
     return memcmp(light, truth, (size_t)row->width * row->height * 4 * sizeof *light) != 0;
 }
 
-bool scenes_gallery(void *context, render_frame *frame, const scenes_row *row, const float *light,
-                    const float *truth, const float *errors)
+bool scenes_write_image(const char *folder, const char *what, const scenes_row *row,
+                        render_frame *frame)
 {
-    const char *folder = context; /* NULL: no pictures of this view */
-    if (!folder || !is_shown(row->pipeline))
-        return true;
     float *image;
     char name[3 * SCENES_NAME];
-    snprintf(name, sizeof name, "%s_%s.png", row->scene, row->pipeline);
+    snprintf(name, sizeof name, "%s_%s.png", row->scene, what);
     char *path = base_join(folder, name);
     bool good = output_read_image(frame->image, &image) == GPU_OK;
     if (good) {
@@ -44,9 +41,20 @@ bool scenes_gallery(void *context, render_frame *frame, const scenes_row *row, c
         base_error("%s: %s", path, gpu_last_error());
     }
     free(path);
+    return good;
+}
+
+bool scenes_gallery(void *context, render_frame *frame, const scenes_row *row, const float *light,
+                    const float *truth, const float *errors)
+{
+    const char *folder = context; /* NULL: no pictures of this view */
+    if (!folder || !is_shown(row->pipeline))
+        return true;
+    bool good = scenes_write_image(folder, row->pipeline, row, frame);
     if (good && light_differs(row, light, truth)) {
+        char name[3 * SCENES_NAME];
         snprintf(name, sizeof name, "%s_%s_errors.png", row->scene, row->pipeline);
-        path = base_join(folder, name);
+        char *path = base_join(folder, name);
         good = scenes_write_errors(path, row->width, row->height, errors, truth);
         free(path);
     }

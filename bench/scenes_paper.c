@@ -19,35 +19,17 @@ typedef struct album {
     const char *folder, *method;
 } album;
 
-static bool write_image(const album *a, render_frame *frame, const scenes_row *row,
-                        const char *what)
-{
-    float *image;
-    char name[3 * SCENES_NAME];
-    snprintf(name, sizeof name, "%s_%s.png", row->scene, what);
-    char *path = base_join(a->folder, name);
-    bool good = output_read_image(frame->image, &image) == GPU_OK;
-    if (good) {
-        good = output_png(path, (int)row->width, (int)row->height, image, frame->gain);
-        free(image);
-    } else {
-        base_error("%s: %s", path, gpu_last_error());
-    }
-    free(path);
-    return good;
-}
-
 static bool look(void *context, render_frame *frame, const scenes_row *row, const float *light,
                  const float *truth, const float *errors)
 {
     const album *a = context;
     (void)light;
     if (strcmp(row->pipeline, "exact") == 0)
-        return write_image(a, frame, row, "truth");
+        return scenes_write_image(a->folder, "truth", row, frame);
     char name[3 * SCENES_NAME];
     snprintf(name, sizeof name, "%s_%s_errors.png", row->scene, a->method);
     char *path = base_join(a->folder, name);
-    bool good = write_image(a, frame, row, a->method) &&
+    bool good = scenes_write_image(a->folder, a->method, row, frame) &&
                 scenes_write_errors(path, row->width, row->height, errors, truth);
     free(path);
     return good;
@@ -116,6 +98,16 @@ static bool one_scene(const scenes_plan *plan, const char *path, const char *fol
     return good;
 }
 
+/* Its rows are the same for every method. */
+static void leave_out_truth(scenes_table *table)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < table->count; i++)
+        if (strcmp(table->rows[i].pipeline, "exact") != 0)
+            table->rows[kept++] = table->rows[i];
+    table->count = kept;
+}
+
 bool scenes_paper(const scenes_plan *plan)
 {
     char **paths;
@@ -132,6 +124,7 @@ bool scenes_paper(const scenes_plan *plan)
         base_progress_step(progress, paths[i]);
     }
     base_progress_end(progress);
+    leave_out_truth(&table);
     good = good && scenes_write_csv(&table, csv);
     free(folder);
     free(csv);
