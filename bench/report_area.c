@@ -149,6 +149,67 @@ static bool charts(report *report)
     return good;
 }
 
+/* ---- Flicker ------------------------------------------------------------------------------- */
+
+/* A row for each pipeline: its place on the axis, then flicker as the camera and the light move. */
+typedef struct films {
+    double own[PIPELINES][2];
+    bool there[PIPELINES];
+} films;
+
+static void add_film(void *context, const scenes_fields *f)
+{
+    films *to = context;
+    for (int i = 0; i < PIPELINES; i++)
+        if (strcmp(f->text[1], pipelines[i]) == 0 && f->number[2] > 0) {
+            to->own[i][strcmp(f->text[0], "light") == 0] = f->number[2];
+            to->there[i] = true;
+        }
+}
+
+static bool flicker(report *report)
+{
+    static const char *const names[] = {"moving", "pipeline", "own_rms", NULL};
+    static const char *const columns[] = {"pipeline", "camera", "light", NULL};
+    static const plot_series series[] = {{"the camera moves", 1, 1, PLOT_MARKS, 2},
+                                         {"the lights move", 2, 2, PLOT_MARKS, 2}};
+    films all = {.there = {false}};
+    if (!scenes_are_there(report, "area_flicker.csv"))
+        return true;
+    bool good = scenes_each_row(report, "area_flicker.csv", names, add_film, &all);
+    data_table *data = data_new(columns);
+    char setup[512] = "set xtics noenhanced; set xtics (";
+    int count = 0;
+    for (int i = 0; i < PIPELINES; i++) {
+        if (!all.there[i])
+            continue;
+        size_t used = strlen(setup);
+        snprintf(setup + used, sizeof setup - used, "%s'%s' %d", count > 0 ? ", " : "",
+                 pipelines[i], count + 1);
+        data_row(data, (const double[]){++count, all.own[i][0], all.own[i][1]});
+    }
+    strcat(setup, ")");
+    plot p = {.id = "area_flicker",
+              .title = "flicker",
+              .x_label = "pipeline",
+              .y_label = "root mean square",
+              .x_range = {0.5, count + 0.5},
+              .setup = setup,
+              .data = data,
+              .series = series,
+              .series_count = 2};
+    if (good && count > 0) {
+        figure_begin(report->page, "area_flicker");
+        good = figure_panel(report->page, &p);
+        figure_end(report->page,
+                   "Flicker of area lights with shadows against every pixel with 64 rays, which "
+                   "has none: root mean square, over pixels and frames, of the second difference "
+                   "in time of the error, relative to the mean irradiance.");
+    }
+    data_free(data);
+    return good;
+}
+
 /* ---- The section ----------------------------------------------------------------------------- */
 
 bool report_area(report *report)
@@ -195,7 +256,7 @@ bool report_area(report *report)
                "whose four parts trace 16, or a pixel that traces all; additional samples count. "
                "Errors and structural similarity are against every pixel with 64 rays; times are "
                "of interleaved runs on the device.") &&
-           charts(report) &&
+           charts(report) && flicker(report) &&
            report_scene_table(report, "area_flicker.csv", film_names, film_titles,
                               "Flicker while the camera or the lights move: root mean square, over "
                               "pixels, of the second difference in time: of the error, and of the "

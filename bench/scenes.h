@@ -24,6 +24,7 @@ typedef struct scenes_row {
     double lighting_ms;      /* all passes of the pipeline, median of the runs */
     double truth_ms;         /* the same of `exact`, in the same interleaved runs */
     double frame_ms;         /* what every pipeline shares: G-buffer, shadow map, albedo */
+    void *state;             /* the pipeline's, while it is looked at; then NULL */
 } scenes_row;
 
 typedef struct scenes_table {

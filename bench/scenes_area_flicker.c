@@ -5,8 +5,7 @@
 #include "base/text.h"
 #include "scenes_film.h"
 
-static const char *const pipelines[] = {"multires", "multires_same", "nichols",
-                                        "shadows2", "shadows4",      NULL};
+static const char *const pipelines[] = {"multires", "nichols", "shadows2", NULL};
 enum { MOST_LIGHTS = 16 };
 
 /* To and fro by a twentieth of the scene's size. */
@@ -28,8 +27,8 @@ static bool both_films(const scenes_plan *plan, const render_scene *scene, FILE 
     scenes_film film = {.moving = "camera",
                         .truth = "shadows",
                         .pipelines = pipelines,
-                        .width = plan->quick ? 64 : 320,
-                        .height = plan->quick ? 48 : 240,
+                        .width = plan->quick ? 64 : 160,
+                        .height = plan->quick ? 48 : 120,
                         .frames = plan->quick ? 3 : 60,
                         .move = scenes_swing_camera};
     bool good = scenes_shoot(plan, scene, &film, out);

@@ -51,8 +51,8 @@ static bool measure(const scenes_plan *plan, const render_scene *scene, FILE *ou
     scenes_view view = {.device = plan->device,
                         .scene = scene,
                         .name = scene->name,
-                        .width = plan->quick ? 160 : 640,
-                        .height = plan->quick ? 120 : 480,
+                        .width = plan->quick ? 128 : 640,
+                        .height = plan->quick ? 96 : 480,
                         .truth = "shadows",
                         .variants = variants,
                         .variant_count = KINDS * STEPS};

@@ -24,7 +24,7 @@ static const setting settings[] = {
     {0, 0, false},   {8, 16, false},  {16, 16, false}, {16, 32, false},  {32, 16, false},
     {32, 32, false}, {32, 64, false}, {64, 64, false}, {64, 128, false}, {0, 0, true}};
 static const setting quick_settings[] = {
-    {0, 0, false}, {8, 16, false}, {16, 32, false}, {32, 32, false}, {0, 0, true}};
+    {0, 0, false}, {8, 16, false}, {32, 64, false}, {0, 0, true}};
 
 typedef struct view {
     const scenes_plan *plan;
@@ -41,6 +41,13 @@ static bool failed(const view *v)
 {
     base_error("%s, indirect light: %s", v->name, gpu_last_error());
     return false;
+}
+
+/* A row that the device cannot do is told in a line; false where no other will be done either. */
+static bool left_out(const view *v, gpu_status status)
+{
+    failed(v);
+    return status != GPU_DEVICE_LOST && status != GPU_NO_DEVICE;
 }
 
 static double sum_of(const render_statistics *s, bool lpv)
@@ -134,11 +141,13 @@ static bool one_setting(view *v, const setting *s, const float *direct)
     chosen.steps = s->steps ? s->steps : chosen.steps;
     chosen.printed = s->printed;
     lpv *l;
-    if (lpv_create(&v->frame, &chosen, &l) != GPU_OK)
-        return failed(v);
+    gpu_status status = lpv_create(&v->frame, &chosen, &l);
+    if (status != GPU_OK)
+        return left_out(v, status);
     render_statistics statistics = {.time_count = 0};
-    bool good = light_with(v, l, &statistics) == GPU_OK || failed(v);
-    if (good) {
+    status = light_with(v, l, &statistics);
+    bool good = status == GPU_OK || left_out(v, status);
+    if (status == GPU_OK) {
         bounce_comparison c;
         bounce_compare(&v->reference, v->light, v->frame.width, v->step, &c);
         write_row(v, l, &statistics, &c);
@@ -178,9 +187,11 @@ static bool all_settings(view *v, base_progress *progress)
     float *direct = base_allocate(pixels * 16);
     v->light = base_allocate(pixels * 16);
     bounce_options options = {.paths = quick ? 64 : 256, .step = v->step};
-    bool good = light_directly(v, direct) &&
-                (bounce_render(&v->frame, &options, &v->reference) == GPU_OK || failed(v));
-    for (size_t i = 0; i < count && good; i++) {
+    bool good = true, lit = light_directly(v, direct) &&
+                            (bounce_render(&v->frame, &options, &v->reference) == GPU_OK ||
+                             failed(v));   /* else told, and the scene left out */
+    v->frame.options.runs = quick ? 2 : 3; /* after one that does not count */
+    for (size_t i = 0; i < count && good && lit; i++) {
         good = one_setting(v, &list[i], i == 0 ? direct : NULL);
         base_progress_step(progress, v->name);
     }
@@ -198,7 +209,8 @@ static bool one_scene(const scenes_plan *plan, const char *path, const char *fol
         return false;
     view v = {.plan = plan, .pictures = folder, .name = scene.name, .out = out};
     v.step = 4;
-    render_options options = {.width = 1024, .height = 768, .runs = plan->quick ? 2 : 5};
+    render_options options = {
+        .width = plan->quick ? 512 : 1024, .height = plan->quick ? 384 : 768, .runs = 1};
     bool good =
         render_frame_create(plan->device, &scene, &options, &v.frame) == GPU_OK || failed(&v);
     if (good) {
@@ -215,17 +227,18 @@ bool scenes_indirect(const scenes_plan *plan)
     size_t count;
     if (!scenes_list(plan, true, &paths, &count))
         return false;
+    size_t used = plan->quick && count > 1 ? 1 : count;
     char *folder = base_join(plan->out, "indirect"), *csv = base_join(plan->out, "indirect.csv");
     base_output output;
     bool good = base_make_directory(folder) && base_output_open(&output, csv);
     if (good) {
         size_t each = plan->quick ? sizeof quick_settings / sizeof *quick_settings
                                   : sizeof settings / sizeof *settings;
-        base_progress *progress = base_progress_begin("indirect light", count * each);
+        base_progress *progress = base_progress_begin("indirect light", used * each);
         fputs("scene,width,height,propagation,volume,steps,volume_samples,voxels,rel,"
               "reference_noise,bias,ms,frame_percent\n",
               output.stream);
-        for (size_t i = 0; i < count && good; i++)
+        for (size_t i = 0; i < used && good; i++)
             good = one_scene(plan, paths[i], folder, output.stream, progress);
         base_progress_end(progress);
         if (good)

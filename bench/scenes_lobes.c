@@ -16,7 +16,7 @@
 #include "scenes_lobes.h"
 #include "sg.h"
 
-enum { RUNS = 5 };
+enum { RUNS = 3 };
 
 /* What is measured of one method on one picture. */
 typedef struct outcome {

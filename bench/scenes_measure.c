@@ -108,7 +108,10 @@ static bool look_at(render_frame *frame, const scenes_view *view, job *j, float 
         return failed(view, j->pipeline->id);
     render_compare(pixels, light, truth, errors, &j->row.error);
     j->row.jump_p99 = jump_p99(view, light, truth);
-    return !look || look(context, frame, &j->row, light, truth, errors);
+    j->row.state = j->state;
+    bool good = !look || look(context, frame, &j->row, light, truth, errors);
+    j->row.state = NULL;
+    return good;
 }
 
 static bool keep_truth(render_frame *frame, const scenes_view *view, float *truth)

@@ -1,5 +1,5 @@
-/* scenes_shadows.c: area lights with shadows: every pipeline of theirs against 64 rays to each
- * light at every pixel. */
+/* scenes_shadows.c: area lights with shadows: the paper's pipeline and its rivals against 64 rays
+ * to each light at every pixel. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,8 +11,6 @@
 #include "base/text.h"
 #include "scenes_area.h"
 #include "scenes_gallery.h"
-
-enum { MOST_PIPELINES = 32 };
 
 /* The rows, and the structural similarity of each. */
 typedef struct measured {
@@ -111,49 +109,22 @@ static bool write_csv(const measured *m, const char *path)
 
 /* ---- Pictures -------------------------------------------------------------------------------- */
 
-bool scenes_fragment_map(const scenes_plan *plan, const render_scene *scene, uint32_t width,
-                         uint32_t height, const char *pipeline, const char *path)
+/* The fragments of multires and nichols. */
+static bool fragment_map(const measured *m, render_frame *frame, const scenes_row *row)
 {
-    const render_pipeline *by = render_pipeline_find(pipeline);
-    render_options options = {.width = width, .height = height, .runs = 1};
-    render_statistics statistics;
-    render_frame frame;
-    void *state = NULL;
-    gpu_status status = render_frame_create(plan->device, scene, &options, &frame);
-    if (status != GPU_OK) {
-        base_error("%s: %s", path, gpu_last_error());
-        return false;
-    }
-    status = by->create(&frame, &state);
-    if (status == GPU_OK)
-        status = render_frame_run(&frame, by, state, &statistics);
-    bool good = status == GPU_OK;
-    if (!good)
-        base_error("%s: %s", path, gpu_last_error());
-    char *made = base_join(plan->out, "fragments.png");
-    good = good && by->dump(&frame, state, plan->out);
+    bool wanted = strcmp(row->pipeline, "multires") == 0 || strcmp(row->pipeline, "nichols") == 0;
+    if (!m->pictures || !wanted)
+        return true;
+    char name[3 * SCENES_NAME];
+    snprintf(name, sizeof name, "%s_%s_fragments.png", row->scene, row->pipeline);
+    char *path = base_join(m->pictures, name), *made = base_join(m->pictures, "fragments.png");
+    bool good = render_pipeline_find(row->pipeline)->dump(frame, row->state, m->pictures);
     if (good && rename(made, path) != 0) {
         base_error("%s: cannot be written", path);
         good = false;
     }
+    free(path);
     free(made);
-    if (state)
-        by->destroy(state);
-    render_frame_destroy(&frame);
-    return good;
-}
-
-static bool maps(const scenes_plan *plan, const scenes_view *view, const char *pictures)
-{
-    static const char *const ids[] = {"multires", "nichols"};
-    bool good = true;
-    for (size_t i = 0; i < 2 && good; i++) {
-        char name[3 * SCENES_NAME];
-        snprintf(name, sizeof name, "%s_%s_fragments.png", view->name, ids[i]);
-        char *path = base_join(pictures, name);
-        good = scenes_fragment_map(plan, view->scene, view->width, view->height, ids[i], path);
-        free(path);
-    }
     return good;
 }
 
@@ -165,30 +136,25 @@ static bool look(void *context, render_frame *frame, const scenes_row *row, cons
     measured *m = context;
     m->ssim = base_reallocate(m->ssim, (m->ssim_count + 1) * sizeof *m->ssim);
     m->ssim[m->ssim_count++] = render_ssim(row->width, row->height, frame->gain, light, truth);
-    return scenes_gallery(m->pictures, frame, row, light, truth, errors);
+    return scenes_gallery(m->pictures, frame, row, light, truth, errors) &&
+           fragment_map(m, frame, row);
 }
 
-static void pipelines_with_shadows(const char *ids[MOST_PIPELINES])
-{
-    size_t count = 0;
-    for (size_t i = 0; render_pipelines[i] && count + 1 < MOST_PIPELINES; i++)
-        if (render_pipelines[i]->shadows)
-            ids[count++] = render_pipelines[i]->id;
-    ids[count] = NULL;
-}
-
-static bool one_scene(const scenes_plan *plan, const char *path, char *pictures, measured *m,
-                      base_progress *progress)
+/* Tracing all rays at 1920 x 1080 takes minutes: there what the bars need. */
+static bool one_scene(const scenes_plan *plan, const char *path, int size_count, char *pictures,
+                      measured *m, base_progress *progress)
 {
     static const uint32_t full[][2] = {{1024, 768}, {1920, 1080}}, quick[][2] = {{256, 192}};
+    static const char *const rivals[] = {"multires", "shadows2", "nichols", NULL}, *const bars[] = {
+                                                                                       "multires",
+                                                                                       "nichols",
+                                                                                       NULL};
     const uint32_t(*sizes)[2] = plan->quick ? quick : full;
-    const char *ids[MOST_PIPELINES];
-    pipelines_with_shadows(ids);
     render_scene scene;
     if (!render_scene_read(path, plan->folder, &scene))
         return false;
     bool good = true;
-    for (int s = 0; s < (plan->quick ? 1 : 2) && good; s++) {
+    for (int s = 0; s < size_count && good; s++) {
         scenes_view view = {.device = plan->device,
                             .scene = &scene,
                             .name = scene.name,
@@ -196,11 +162,9 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
                             .height = sizes[s][1],
                             .truth = "shadows",
                             .warm = plan->warm,
-                            .runs = plan->quick || s > 0 ? 1 : 3,
-                            .truth_once = s > 0};
+                            .runs = 1};
         m->pictures = s == 0 ? pictures : NULL;
-        good = scenes_measure(&view, ids, look, m, &m->table) &&
-               (s > 0 || maps(plan, &view, pictures));
+        good = scenes_measure(&view, s == 0 ? rivals : bars, look, m, &m->table);
         base_progress_step(progress, scene.name);
     }
     render_scene_free(&scene);
@@ -209,18 +173,23 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
 
 bool scenes_shadows(const scenes_plan *plan)
 {
+    /* the first ones by name, whose trees are not deep; all of them where --view names them */
+    enum { FEW = 2 };
     char **paths;
     size_t count;
     if (!render_pipeline_find("shadows"))
         return true;
     if (!scenes_list(plan, true, &paths, &count))
         return false;
+    size_t used = plan->quick && count > FEW ? FEW : count;
     measured m = {.ssim = NULL};
     char *pictures = base_join(plan->out, "shadows"), *csv = base_join(plan->out, "shadows.csv");
     bool good = base_make_directory(pictures);
-    base_progress *progress = base_progress_begin("shadows", count * (plan->quick ? 1 : 2));
-    for (size_t i = 0; i < count && good; i++)
-        good = one_scene(plan, paths[i], pictures, &m, progress);
+    base_progress *progress =
+        base_progress_begin("shadows", plan->quick ? used : used + (plan->only ? used : FEW));
+    for (size_t i = 0; i < used && good; i++)
+        good = one_scene(plan, paths[i], plan->quick || (i >= FEW && !plan->only) ? 1 : 2, pictures,
+                         &m, progress);
     base_progress_end(progress);
     good = good && write_csv(&m, csv);
     free(pictures);
