@@ -173,27 +173,32 @@ static void descend(render_frame *frame, const hull_push *push, const point *poi
 {
     gpu_binding bindings[5];
     for (int i = 0; i < 5; i++)
-        bindings[i] = GPU_STORAGE_BUFFER;
+        bindings[i] = i == 1 ? GPU_FETCHED : GPU_STORAGE_BUFFER;
     gpu_compute *compute = NULL;
-    gpu_buffer *buffers[4] = {NULL};
+    gpu_buffer *buffers[3] = {NULL};
+    gpu_image *tree = NULL;
+    static light_node texels[(2 * MOST / LIGHT_NODES_ACROSS + 1) * LIGHT_NODES_ACROSS];
+    memcpy(texels, nodes, sizeof *nodes * push->nodes_end);
     size_t words = (size_t)POINTS * (push->nodes_end + 1);
-    const size_t sizes[4] = {sizeof *nodes * (push->nodes_end + 1), POINTS * sizeof *points,
-                             4 * words, sizeof out->sums};
+    const size_t sizes[3] = {POINTS * sizeof *points, 4 * words, sizeof out->sums};
     check(render_compute(frame, "test/descent.comp", false, bindings, 5, sizeof *push, &compute));
-    for (int i = 0; i < 4; i++)
+    check(gpu_image_create(frame->device, GPU_RGBA32U, LIGHT_NODE_TEXELS * LIGHT_NODES_ACROSS,
+                           sizeof texels / sizeof *texels / LIGHT_NODES_ACROSS, &tree));
+    check(gpu_image_write(tree, texels));
+    for (int i = 0; i < 3; i++)
         check(gpu_buffer_create(frame->device, sizes[i], &buffers[i]));
-    memcpy(gpu_buffer_map(buffers[0]), nodes, sizeof *nodes * push->nodes_end);
-    memcpy(gpu_buffer_map(buffers[1]), points, sizes[1]);
+    memcpy(gpu_buffer_map(buffers[0]), points, sizes[0]);
     gpu_step step = {.name = "descent",
                      .compute = compute,
-                     .resources = {frame->view, buffers[0], buffers[1], buffers[2], buffers[3]},
+                     .resources = {frame->view, tree, buffers[0], buffers[1], buffers[2]},
                      .push = push,
                      .groups = {POINTS / 64, 1, 1}};
     check(gpu_run(frame->device, &step, 1, NULL));
-    memcpy(out->taken, gpu_buffer_map(buffers[2]), sizes[2]);
-    memcpy(out->sums, gpu_buffer_map(buffers[3]), sizes[3]);
+    memcpy(out->taken, gpu_buffer_map(buffers[1]), sizes[1]);
+    memcpy(out->sums, gpu_buffer_map(buffers[2]), sizes[2]);
     gpu_compute_destroy(compute);
-    for (int i = 0; i < 4; i++)
+    gpu_image_destroy(tree);
+    for (int i = 0; i < 3; i++)
         gpu_buffer_destroy(buffers[i]);
 }
 

@@ -37,6 +37,7 @@ void hull_destroy(void *state)
     gpu_draw_destroy(h->draw_even);
     for (int i = 0; i < HULL_BUFFERS; i++)
         gpu_buffer_destroy(h->buffers[i]);
+    gpu_image_destroy(h->tree);
     free(h);
 }
 
@@ -104,13 +105,16 @@ static gpu_status create_buffers(render_frame *frame, hull *h)
         if (status != GPU_OK)
             return status;
     }
-    return GPU_OK;
+    uint32_t rows = (2 * frame->light_count + LIGHT_NODES_ACROSS) / LIGHT_NODES_ACROSS;
+    return gpu_image_create(frame->device, GPU_RGBA32U, LIGHT_NODE_TEXELS * LIGHT_NODES_ACROSS,
+                            rows, &h->tree);
 }
 
 static gpu_status create_passes(render_frame *frame, hull *h)
 {
-    static const hull_pass shared[] = {HULL_MEAN_SAMPLES, HULL_MEAN_SUM, HULL_NEXT, HULL_CULL_TILE,
-                                       HULL_CULL,         HULL_NEAR,     HULL_EXACT};
+    static const hull_pass shared[] = {HULL_TREE_IMAGE, HULL_MEAN_SAMPLES, HULL_MEAN_SUM,
+                                       HULL_NEXT,       HULL_CULL_TILE,    HULL_CULL,
+                                       HULL_NEAR,       HULL_EXACT};
     static const hull_pass moments[] = {HULL_LINKS,  HULL_COMPONENTS, HULL_CLAIM,
                                         HULL_GATHER, HULL_SPLIT,      HULL_EMIT};
     static const hull_pass lobes[] = {HULL_LINKS,        HULL_COMPONENTS,  HULL_CLAIM,
@@ -122,7 +126,7 @@ static gpu_status create_passes(render_frame *frame, hull *h)
                                                     : moments;
     int own_count = h->kind == HULL_UPSAMPLE ? 3 : 6;
     gpu_status status = GPU_OK;
-    for (int i = 0; status == GPU_OK && i < 7; i++)
+    for (int i = 0; status == GPU_OK && i < 8; i++)
         status = hull_create_pass(frame, h, shared[i]);
     for (int i = 0; status == GPU_OK && i < own_count; i++)
         status = hull_create_pass(frame, h, own[i]);
@@ -259,6 +263,7 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
     }
     hull_add_fill(&l, "reset", HULL_B_CONTROL, 0);
     hull_add_fill(&l, "reset", HULL_B_ARGUMENTS, 1);
+    hull_add_groups(&l, "tree", HULL_TREE_IMAGE, (LIGHT_NODE_TEXELS * h->push.nodes_end + 63) / 64);
     if (h->kind == HULL_UPSAMPLE)
         add_upsampling(&l);
     else

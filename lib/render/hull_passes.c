@@ -5,7 +5,17 @@
 #include <stdlib.h>
 
 /* Resources that are not buffers of the hull. */
-enum { VIEW = HULL_BUFFERS, LIGHTS, COUNTERS, POSITION, NORMAL, LIGHT, END };
+enum {
+    VIEW = HULL_BUFFERS,
+    LIGHTS,
+    COUNTERS,
+    POSITION,
+    NORMAL,
+    LIGHT,
+    TREE_IMAGE,
+    TREE_STORED,
+    END
+};
 
 typedef struct pass_layout {
     const char *shader;
@@ -13,6 +23,7 @@ typedef struct pass_layout {
 } pass_layout;
 
 static const pass_layout layouts[HULL_PASSES] = {
+    [HULL_TREE_IMAGE] = {"hull/tree_image.comp", {HULL_B_TREE, TREE_STORED, END}},
     [HULL_LINKS] = {"hull/links.comp",
                     {VIEW, POSITION, NORMAL, HULL_B_LINKS, HULL_B_ROW_BOUNDS, END}},
     [HULL_COMPONENTS] = {"hull/components.comp",
@@ -22,11 +33,11 @@ static const pass_layout layouts[HULL_PASSES] = {
                     {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
                      HULL_B_VERTEX_PIXELS, HULL_B_QUADS, END}},
     [HULL_MEAN_SAMPLES] = {"hull/mean.comp",
-                           {VIEW, HULL_B_TREE, COUNTERS, POSITION, NORMAL, HULL_B_SAMPLES, END}},
+                           {VIEW, TREE_IMAGE, COUNTERS, POSITION, NORMAL, HULL_B_SAMPLES, END}},
     [HULL_MEAN_SUM] = {"hull/mean_sum.comp", {VIEW, HULL_B_CONTROL, HULL_B_SAMPLES, END}},
     [HULL_NEXT] = {"hull/next.comp", {VIEW, HULL_B_CONTROL, COUNTERS, END}},
     [HULL_GATHER] = {"hull/gather.comp",
-                     {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                     {VIEW, TREE_IMAGE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
                       HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
     [HULL_SPLIT] = {"hull/split.comp",
                     {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP, HULL_B_QUADS,
@@ -36,23 +47,23 @@ static const pass_layout layouts[HULL_PASSES] = {
                     HULL_B_LEAVES, HULL_B_CORNERS, HULL_B_ARGUMENTS, HULL_B_EXACT,
                     HULL_B_EVEN_CORNERS, END}},
     [HULL_CULL_TILE] = {"hull/cull_tile.comp",
-                        {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
+                        {VIEW, TREE_IMAGE, COUNTERS, HULL_B_CONTROL, HULL_B_ROW_BOUNDS,
                          HULL_B_BLOCK_BOUNDS, HULL_B_TILE_LISTS, END}},
     [HULL_CULL] = {"hull/cull.comp",
-                   {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, HULL_B_BLOCK_BOUNDS,
+                   {VIEW, TREE_IMAGE, COUNTERS, HULL_B_CONTROL, HULL_B_BLOCK_BOUNDS,
                     HULL_B_TILE_LISTS, HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
     [HULL_NEAR] = {"hull/near.comp",
-                   {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
+                   {VIEW, TREE_IMAGE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
                     HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
     [HULL_GATHER_LOBES] = {"hull/gather_lobe.comp",
-                           {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                           {VIEW, TREE_IMAGE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
                             HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
     [HULL_SPLIT_LOBES] = {"hull/split_lobe.comp",
                           {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
                            HULL_B_QUADS, HULL_B_VERTICES, HULL_B_LEAVES, POSITION, NORMAL, END}},
     [HULL_BOUNDS] = {"upsample/bounds.comp", {VIEW, POSITION, HULL_B_ROW_BOUNDS, END}},
     [HULL_GATHER_FAR] = {"upsample/gather_far.comp",
-                         {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
+                         {VIEW, TREE_IMAGE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
                           HULL_B_FAR_SAMPLES, END}},
     [HULL_GATHER_ALL] = {"upsample/gather_sh.comp",
                          {VIEW, LIGHTS, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
@@ -61,18 +72,30 @@ static const pass_layout layouts[HULL_PASSES] = {
                            {VIEW, POSITION, NORMAL, LIGHT, HULL_B_FAR_SAMPLES, HULL_B_ARGUMENTS,
                             HULL_B_EXACT, END}},
     [HULL_EXACT] = {"hull/exact.comp",
-                    {VIEW, HULL_B_TREE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
+                    {VIEW, TREE_IMAGE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL, LIGHT,
                      HULL_B_ARGUMENTS, HULL_B_EXACT, END}},
 };
+
+static gpu_binding kind_of(int which)
+{
+    switch (which) {
+    case POSITION:
+    case NORMAL:
+    case TREE_IMAGE:
+        return GPU_FETCHED;
+    case LIGHT:
+    case TREE_STORED:
+        return GPU_STORAGE_IMAGE;
+    default:
+        return GPU_STORAGE_BUFFER;
+    }
+}
 
 static int binding_kinds(const pass_layout *layout, gpu_binding *bindings)
 {
     int count = 0;
     for (; layout->resources[count] != END; count++)
-        bindings[count] = layout->resources[count] == POSITION || layout->resources[count] == NORMAL
-                              ? GPU_FETCHED
-                          : layout->resources[count] == LIGHT ? GPU_STORAGE_IMAGE
-                                                              : GPU_STORAGE_BUFFER;
+        bindings[count] = kind_of(layout->resources[count]);
     return count;
 }
 
@@ -91,6 +114,9 @@ static void *resource(const render_frame *frame, const hull *h, int which)
         return frame->normal;
     case LIGHT:
         return frame->light;
+    case TREE_IMAGE:
+    case TREE_STORED:
+        return h->tree;
     default:
         return h->buffers[which];
     }
@@ -100,7 +126,7 @@ gpu_status hull_create_pass(render_frame *frame, hull *h, hull_pass pass)
 {
     gpu_binding bindings[GPU_MAX_BINDINGS];
     int count = binding_kinds(&layouts[pass], bindings);
-    bool none = pass == HULL_MEAN_SUM;
+    bool none = pass == HULL_MEAN_SUM || pass == HULL_TREE_IMAGE;
     bool method = pass == HULL_GATHER_LOBES || pass == HULL_SPLIT_LOBES;
     return render_compute(frame, layouts[pass].shader, method, bindings, count,
                           none ? 0 : sizeof(hull_push), &h->passes[pass]);

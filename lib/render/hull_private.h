@@ -37,6 +37,7 @@ enum {
 };
 
 typedef enum hull_pass {
+    HULL_TREE_IMAGE,
     HULL_LINKS,
     HULL_COMPONENTS,
     HULL_CLAIM,
@@ -92,6 +93,7 @@ typedef struct hull {
     gpu_compute *passes[HULL_PASSES];
     gpu_draw *draw, *draw_even;
     gpu_buffer *buffers[HULL_BUFFERS];
+    gpu_image *tree; /* what shaders read: see LIGHT_NODES_ACROSS */
 } hull;
 
 /* A list of steps in the making. */

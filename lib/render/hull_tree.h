@@ -22,6 +22,10 @@ typedef struct light_node {
     uint32_t index;            /* of a leaf: of its light; else UINT32_MAX */
 } light_node;
 
+/* Shaders read the nodes from an image of 32 bit words, four a texel: 8 texels a node, and as many
+ * nodes a row, NODES_ACROSS of tree.glsl. */
+enum { LIGHT_NODE_TEXELS = 8, LIGHT_NODES_ACROSS = 256 };
+
 /* At most as many nodes as twice the lights. Every node has up to four below it, of numbers of
  * lights that differ by one at most: the lights are halved twice, each time along the place or
  * the normal in which they differ most. hierarchy: without it there are leaves alone, in the

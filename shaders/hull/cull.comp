@@ -40,14 +40,15 @@ void main()
         bool own = end <= MOST_TILE; // else from the tree
         end = own ? end : nodes_end;
         for (uint at = 0u; at < end && listed <= MOST_NEAR; tested++) {
-            uint node = own ? tile_lists[from + 1u + at] : at;
+            uint which = own ? tile_lists[from + 1u + at] : at;
+            Node node = read_node(which);
             bool near = may_be_near(node, b, mean);
-            if (near && is_leaf(node)) {
+            if (near && node.leaf) {
                 listed++;
                 if (listed <= MOST_NEAR)
-                    near_lists[list + listed] = node;
+                    near_lists[list + listed] = which;
             }
-            at = own || near ? at + 1u : nodes[node].skip;
+            at = own || near ? at + 1u : node.skip;
         }
         near_lists[list] = listed;
         if (listed > 0u)

@@ -49,13 +49,14 @@ void main()
     if (inside && whole.low.w > 0.0) {
         uint list = tile * (MOST_TILE + 1u), listed = 0u;
         for (uint at = 0u; at < nodes_end && listed <= MOST_TILE; evaluations++) {
-            bool near = may_be_near(at, whole, mean);
-            if (near && is_leaf(at)) {
+            Node node = read_node(at);
+            bool near = may_be_near(node, whole, mean);
+            if (near && node.leaf) {
                 listed++;
                 if (listed <= MOST_TILE)
                     tile_lists[list + listed] = at;
             }
-            at = near ? at + 1u : nodes[at].skip;
+            at = near ? at + 1u : node.skip;
         }
         tile_lists[list] = listed;
     }

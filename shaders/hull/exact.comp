@@ -38,7 +38,7 @@ void main()
         uint count = find_lights(at, place.xyz, place.w, mean, done);
         done += count;
         for (uint i = 0u; i < count; i++) {
-            Light l = nodes[found[i]].light;
+            Light l = node_light(found[i]);
             irradiance += light_exitance(l) * form_factor(l, place.xyz, n);
         }
     }

@@ -42,7 +42,7 @@ void main()
         uint count = find_lights(at, x, place.w, mean, done);
         done += count;
         for (uint i = 0u; i < count; i++) {
-            Light l = nodes[found[i]].light;
+            Light l = node_light(found[i]);
             vec3 window_gradient;
             float far = 1.0 - near_weight(l, x, place.w, mean, window_gradient);
             if (!is_leaf(found[i])) { // what stands for many is far

@@ -32,10 +32,12 @@ void main()
     uint done = 0u;
     for (uint at = surface ? 0u : nodes_end; at < nodes_end; done++) {
         float d2;
-        bool take = stand_error(at, position.xyz, d2) <= ROUGH;
-        vec3 e = take ? light_exitance(nodes[at].light) : vec3(0.0);
-        sum += e * form_factor(nodes[at].light, position.xyz, n);
-        at = take ? nodes[at].skip : at + 1u;
+        Node node = read_node(at);
+        Light l = node_light(at);
+        bool take = stand_error(node, position.xyz, d2) <= ROUGH;
+        vec3 e = take ? light_exitance(l) : vec3(0.0);
+        sum += e * form_factor(l, position.xyz, n);
+        at = take ? node.skip : at + 1u;
     }
     samples[place.y * grid.x + place.x] = vec2((sum.r + sum.g + sum.b) / 3.0, surface ? 1.0 : 0.0);
     counter_add_group(COUNT_EVALUATIONS, done);

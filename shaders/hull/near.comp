@@ -62,15 +62,16 @@ void main()
     for (uint at = 0u; at < end;) {
         uint count = 0u;
         for (; at < end && count < MOST_FOUND; done++) {
-            uint node = own ? near_lists[list + 1u + at] : at;
+            uint which = own ? near_lists[list + 1u + at] : at;
+            Node node = read_node(which);
             bool near = may_be_near(node, bounds, mean);
-            found[count] = node;
-            count += near && is_leaf(node) ? 1u : 0u;
-            at = own || near ? at + 1u : nodes[node].skip;
+            found[count] = which;
+            count += near && node.leaf ? 1u : 0u;
+            at = own || near ? at + 1u : node.skip;
         }
         done += surfaces * count;
         for (uint j = 0u; j < count; j++) {
-            Light l = nodes[found[j]].light;
+            Light l = node_light(found[j]);
             for (int i = 0; i < PIXELS; i++) {
                 vec3 gradient;
                 float weight = near_weight(l, positions[i].xyz, positions[i].w, mean, gradient);

@@ -13,15 +13,15 @@ struct Bounds {
 };
 
 // Could any light below the node be near to a point within the bounds?
-bool may_be_near(uint node, Bounds b, float mean_irradiance)
+bool may_be_near(Node node, Bounds b, float mean_irradiance)
 {
-    vec3 middle = nodes[node].middle.xyz, axis = nodes[node].axis.xyz;
+    vec3 middle = node.middle.xyz, axis = node.axis.xyz;
     float d = distance(middle, clamp(middle, b.low.xyz, b.high.xyz));
-    d = max(d - nodes[node].reach, 1e-6); // no less than from the disc
+    d = max(d - node.reach, 1e-6); // no less than from the disc
     // and is any point in front of any of them?
     vec3 front = mix(b.low.xyz, b.high.xyz, greaterThan(axis, vec3(0.0))) - middle;
     vec3 farthest = max(abs(b.low.xyz - middle), abs(b.high.xyz - middle));
-    float up = dot(front, axis) + nodes[node].slack + nodes[node].spread * length(farthest);
+    float up = dot(front, axis) + node.slack + node.spread * length(farthest);
     return window_place(node_near_error(node, d, b.low.w, mean_irradiance)) > 0.0
         && up >= light_closest;
 }

@@ -10,70 +10,97 @@
 #include "../common/lights.glsl"
 #include "window.glsl"
 
+const uint NODES_ACROSS = 256u; // in a row of their image, 8 texels each
+
 struct Node {
-    Light light;
     vec4 middle; // w: radius around it
     vec4 axis;   // normal of the triangle; w: flux of all that is below, mean of the colours
     float spread, bend, slack, reach, strongest, smallest;
-    uint skip, index;
+    uint skip;
+    bool leaf;
 };
 
 #ifndef TREE_BINDING
 #define TREE_BINDING 1
 #endif
-layout(set = 0, binding = TREE_BINDING, std430) readonly buffer Tree
+// An image of them (lib/render/hull_tree.h): lavapipe fetches a texel as a whole, but the words of a
+// buffer one by one.
+layout(set = 0, binding = TREE_BINDING) uniform usampler2D tree_image;
+
+uvec4 tree_texel(uint node, uint texel)
 {
-    Node nodes[];
-};
+    return texelFetch(tree_image, ivec2(8u * (node % NODES_ACROSS) + texel, node / NODES_ACROSS), 0);
+}
+
+vec4 tree_vector(uint node, uint texel)
+{
+    return uintBitsToFloat(tree_texel(node, texel));
+}
+
+// The light itself; above the leaves the triangle that may stand for many.
+Light node_light(uint node)
+{
+    return Light(tree_vector(node, 0u), tree_vector(node, 1u), tree_vector(node, 2u),
+                 tree_vector(node, 3u));
+}
+
+Node read_node(uint node)
+{
+    vec4 shape = tree_vector(node, 6u);
+    uvec4 last = tree_texel(node, 7u);
+    vec2 light = uintBitsToFloat(last.xy);
+    return Node(tree_vector(node, 4u), tree_vector(node, 5u), shape.x, shape.y, shape.z, shape.w,
+                light.x, light.y, last.z, last.z == node + 1u);
+}
 
 bool is_leaf(uint node)
 {
-    return nodes[node].skip == node + 1u;
+    return tree_texel(node, 7u).z == node + 1u;
 }
 
 // How much the triangle errs about, over the flux that arrives; 0 for leaves. Its centre and its
 // covariance are right, so what lies in one plane errs from the third power of its size on; lights
 // off that plane err from the second; lights that are turned from the others at once where x is
 // in front of some and behind others, else with their distance from the middle.
-float stand_error(uint node, vec3 x, out float d2)
+float stand_error(Node node, vec3 x, out float d2)
 {
-    vec3 r = x - nodes[node].middle.xyz;
+    vec3 r = x - node.middle.xyz;
     d2 = max(dot(r, r), 1e-12);
-    float inv = inversesqrt(d2), q = nodes[node].middle.w * inv, spread = nodes[node].spread;
-    float up = abs(dot(r, nodes[node].axis.xyz)) * inv;
-    bool beside = up < spread + nodes[node].slack * inv;
-    float error = q * q * (q + nodes[node].bend) + spread * (beside ? q + 0.5 : q);
-    return is_leaf(node) ? 0.0 : q > 0.67 ? 3e38 : error;
+    float inv = inversesqrt(d2), q = node.middle.w * inv, spread = node.spread;
+    float up = abs(dot(r, node.axis.xyz)) * inv;
+    bool beside = up < spread + node.slack * inv;
+    float error = q * q * (q + node.bend) + spread * (beside ? q + 0.5 : q);
+    return node.leaf ? 0.0 : q > 0.67 ? 3e38 : error;
 }
 
 // Is x behind all lights below the node?
-bool is_behind(uint node, vec3 x)
+bool is_behind(Node node, vec3 x)
 {
-    vec3 r = x - nodes[node].middle.xyz;
-    float most = nodes[node].slack + nodes[node].spread * length(r);
-    return dot(r, nodes[node].axis.xyz) + most < light_closest;
+    vec3 r = x - node.middle.xyz;
+    float most = node.slack + node.spread * length(r);
+    return dot(r, node.axis.xyz) + most < light_closest;
 }
 
 // The estimated error of window.glsl of the nodes' worst light, over tau, d from its rim.
-float node_near_error(uint node, float d, float depth, float mean_irradiance)
+float node_near_error(Node node, float d, float depth, float mean_irradiance)
 {
     float h = near_pixels * view.eye.w * depth;
-    float contribution = nodes[node].strongest / (PI * d * d + nodes[node].smallest);
+    float contribution = node.strongest / (PI * d * d + node.smallest);
     return contribution * h * h / (d * d * tau * mean_irradiance);
 }
 
 // Is it far enough from x to be taken for one light: no light below is near, and the triangle
 // errs by no more than a share merge of the mean irradiance.
-bool is_one_light(uint node, vec3 x, float depth, float mean_irradiance)
+bool is_one_light(Node node, vec3 x, float depth, float mean_irradiance)
 {
     float d2;
-    float error = stand_error(node, x, d2) * nodes[node].axis.w / (PI * d2);
+    float error = stand_error(node, x, d2) * node.axis.w / (PI * d2);
     bool good = error <= merge * mean_irradiance;
     if (tau > 0.0) {
-        float d = max(sqrt(d2) - nodes[node].reach, 1e-6);
+        float d = max(sqrt(d2) - node.reach, 1e-6);
         good = good && window_place(node_near_error(node, d, depth, mean_irradiance)) <= 0.0;
     }
-    return good || is_leaf(node);
+    return good || node.leaf;
 }
 
 // What a descent has found, and where it goes on.
@@ -86,12 +113,13 @@ uint find_lights(inout uint at, vec3 x, float depth, float mean_irradiance, inou
 {
     uint count = 0u;
     while (at < nodes_end && count < MOST_FOUND) {
-        bool take = is_one_light(at, x, depth, mean_irradiance);
+        Node node = read_node(at);
+        bool take = is_one_light(node, x, depth, mean_irradiance);
         found[count] = at;
-        bool behind = is_behind(at, x);
-        tested += is_leaf(at) && !behind ? 0u : 1u; // the others are evaluated, and counted then
+        bool behind = is_behind(node, x);
+        tested += node.leaf && !behind ? 0u : 1u; // the others are evaluated, and counted then
         count += take && !behind ? 1u : 0u;
-        at = take || behind ? nodes[at].skip : at + 1u;
+        at = take || behind ? node.skip : at + 1u;
     }
     return count;
 }

@@ -35,7 +35,7 @@ void main()
     for (uint at = 0u; at < nodes_end;) {
         uint count = find_lights(at, p.place.xyz, p.place.w, p.normal.w, tested);
         for (uint j = 0u; j < count; j++) {
-            Light l = nodes[found[j]].light;
+            Light l = node_light(found[j]);
             vec3 gradient;
             float near = near_weight(l, p.place.xyz, p.place.w, p.normal.w, gradient);
             near = is_leaf(found[j]) ? near : 0.0;

@@ -60,7 +60,7 @@ void main()
             Light l = staged[i];
             float far = 1.0;
 #else
-            Light l = nodes[found[i]].light;
+            Light l = node_light(found[i]);
             vec3 gradient;
             float far = 1.0 - near_weight(l, s.position.xyz, s.position.w, mean, gradient);
             far = is_leaf(found[i]) ? far : 1.0; // what stands for many is far
