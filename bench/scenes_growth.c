@@ -80,7 +80,7 @@ static bool measure(const scenes_plan *plan, const render_scene *scene, const ch
                         .name = scene->name,
                         .width = plan->quick ? 640 : 1280,
                         .height = plan->quick ? 360 : 720,
-                        .runs = 3,
+                        .runs = plan->quick ? 2 : 3,
                         .truth_once = true,
                         .warm = plan->warm};
     if (!scenes_measure(&view, pipelines, NULL, NULL, &to->table))
