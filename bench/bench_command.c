@@ -38,6 +38,25 @@ static bool is_subject(const char *id)
     return sg_method_find(id) != NULL;
 }
 
+/* False after one line. */
+static bool is_usage(const char *out, const char *counts, const char *scenes, const char *view,
+                     const char *parts, const char *only)
+{
+    if (!out && !counts)
+        base_error("bench: expected --out DIR or --counts FILE");
+    else if (scenes)
+        base_error("bench: expected --out DIR with --scenes");
+    else if (view || parts)
+        base_error("bench: expected %s only together with --scenes", view ? "--view" : "--part");
+    else if (only && !is_subject(only))
+        base_error("bench: expected --method to name a method (see sgfit methods) or a table "
+                   "(table_2d, table_2d_pair, table_1d), found %s",
+                   only);
+    else
+        return true;
+    return false;
+}
+
 #define PART_NAME(NAME) " " #NAME
 
 int bench_command(int argc, char **argv)
@@ -80,26 +99,10 @@ int bench_command(int argc, char **argv)
         return status;
     if (root)
         base_set_source_root(root);
-    if (!out && !counts) {
-        base_error("bench: expected --out DIR or --counts FILE");
-        return BASE_USAGE;
-    }
-    if (scenes && !out) {
-        base_error("bench: expected --out DIR with --scenes");
-        return BASE_USAGE;
-    }
-    if (scenes)
+    if (scenes && out)
         return scenes_command(&(scenes_request){scenes, view, parts, device, out, quick});
-    if (view || parts) {
-        base_error("bench: expected %s only together with --scenes", view ? "--view" : "--part");
+    if (!is_usage(out, counts, scenes, view, parts, only))
         return BASE_USAGE;
-    }
-    if (only && !is_subject(only)) {
-        base_error("bench: expected --method to name a method (see sgfit methods) or a table "
-                   "(table_2d, table_2d_pair, table_1d), found %s",
-                   only);
-        return BASE_USAGE;
-    }
     if (out && !base_make_directory(out))
         return BASE_FAILED;
     cost_table table;

@@ -142,7 +142,7 @@ bool report_scene_table(report *report, const char *name, const char *const *nam
     return scenes_link_file(report, name);
 }
 
-bool report_scenes(report *report)
+static bool views(report *report)
 {
     static const char *const view_names[] = {"scene",
                                              "width",
@@ -163,6 +163,20 @@ bool report_scenes(report *report)
         "scene",  "#width",         "#height", "normals",       "pipeline",
         "#rel",   "#median",        "#p99",    "#jump",         "#uncovered",
         "#wrong", "#evaluations %", "#ms",     "#times faster", NULL};
+    return report_scene_gallery(
+               report, "pictures",
+               "Pictures by the ground truth (`exact`), the paper as printed (`meder`), ours "
+               "and a rival, all of one view with the same exposure; and their errors of "
+               "irradiance, relative to the image mean and times four, from green to red.") &&
+           report_scene_table(
+               report, "views.csv", view_names, view_titles,
+               "Every view. Errors of irradiance against ground truth, relative to the image's "
+               "mean; light evaluations as the shaders counted them; time of all lighting passes "
+               "on the device, for comparison within this table only.");
+}
+
+static bool rates_and_flicker(report *report)
+{
     static const char *const rate_names[] = {
         "scene",       "width",       "height", "pipeline", "lighting_ratio",
         "frame_ratio", "paper_ratio", "rel",    NULL};
@@ -172,11 +186,18 @@ bool report_scenes(report *report)
                                                 NULL};
     static const char *const flicker_titles[] = {"moving", "pipeline", "#own", "#ratio to truth",
                                                  NULL};
-    static const char *const lobe_names[] = {
-        "figure",        "method",       "smape",      "smape_p99",
-        "largest_error", "black_pixels", "time_ratio", NULL};
-    static const char *const lobe_titles[] = {"figure",   "method", "#SMAPE", "#99 %",
-                                              "#largest", "#black", "#time",  NULL};
+    return report_scene_table(
+               report, "rates.csv", rate_names, rate_titles,
+               "How many times as fast as ground truth: lighting alone, the whole frame, and "
+               "what the paper's table 1 says (0: it does not have this scene).") &&
+           report_scene_table(
+               report, "flicker.csv", flicker_names, flicker_titles,
+               "Flicker: root mean square, over pixels, of the second difference in time: of the "
+               "error, and of the irradiance against that of ground truth.");
+}
+
+static bool paper_and_choice(report *report)
+{
     static const char *const paper_names[] = {"scene", "pipeline", "method", "rel",
                                               "p50",   "p99",      "bias",   NULL};
     static const char *const paper_titles[] = {"scene",   "pipeline", "method", "#rel",
@@ -186,27 +207,7 @@ bool report_scenes(report *report)
         NULL};
     static const char *const choice_titles[] = {
         "scene", "pipeline", "#asked", "method", "#instructions", "#RMSE", "#change of 255", NULL};
-    return report_scene_bars(report) && report_scene_charts(report) &&
-           report_scene_gallery(
-               report, "pictures",
-               "Pictures by the ground truth (`exact`), the paper as printed (`meder`), ours "
-               "and a rival, all of one view with the same exposure; and their errors of "
-               "irradiance, relative to the image mean and times four, from green to red.") &&
-           report_scene_table(
-               report, "views.csv", view_names, view_titles,
-               "Every view. Errors of irradiance against ground truth, relative to the image's "
-               "mean; light evaluations as the shaders counted them; time of all lighting passes "
-               "on the device, for comparison within this table only.") &&
-           report_scene_table(
-               report, "rates.csv", rate_names, rate_titles,
-               "How many times as fast as ground truth: lighting alone, the whole frame, and "
-               "what the paper's table 1 says (0: it does not have this scene).") &&
-           report_scene_table(
-               report, "flicker.csv", flicker_names, flicker_titles,
-               "Flicker: root mean square, over pixels, of the second difference in time: of the "
-               "error, and of the irradiance against that of ground truth.") &&
-           stage_galleries(report) &&
-           report_scene_gallery(
+    return report_scene_gallery(
                report, "paper",
                "The paper's figures 3, 4 and 8: its pipeline as printed, with the cosine "
                "integrated by its own curve (`meder_2018`), taken as constant, taken as a lobe "
@@ -217,9 +218,17 @@ bool report_scenes(report *report)
                report, "choice.csv", choice_names, choice_titles,
                "No more than a scene needs: the cheapest method that stays under an error on "
                "what the frame integrates, and the largest change of its tone-mapped picture "
-               "against the method `fine`, in steps of 1/255.") &&
-           report_area(report) && report_indirect(report) &&
-           report_scene_gallery(
+               "against the method `fine`, in steps of 1/255.");
+}
+
+static bool lobes(report *report)
+{
+    static const char *const lobe_names[] = {
+        "figure",        "method",       "smape",      "smape_p99",
+        "largest_error", "black_pixels", "time_ratio", NULL};
+    static const char *const lobe_titles[] = {"figure",   "method", "#SMAPE", "#99 %",
+                                              "#largest", "#black", "#time",  NULL};
+    return report_scene_gallery(
                report, "lobes",
                "One surface after another lit by spherical Gaussians alone, as in Tokuyoshi's "
                "figures 1 and 4: a sharp light close to a wall, and the light that the scene "
@@ -230,4 +239,11 @@ bool report_scenes(report *report)
                "Every method of the registry on these two: mean error and 99th percentile, the "
                "largest error relative to the image's mean, pixels that are black where light "
                "falls, and the time of the pass relative to one without the integral.");
+}
+
+bool report_scenes(report *report)
+{
+    return report_scene_bars(report) && report_scene_charts(report) && views(report) &&
+           rates_and_flicker(report) && stage_galleries(report) && paper_and_choice(report) &&
+           report_area(report) && report_indirect(report) && lobes(report);
 }

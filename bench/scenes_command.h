@@ -10,8 +10,9 @@
     X(views)                                                                                       \
     X(steps)                                                                                       \
     X(rates)                                                                                       \
-    X(paper) X(growth) X(flicker) X(shadows) X(area_refinement) X(area_flicker) X(indirect)        \
-        X(lobes) X(choice)
+    X(paper)                                                                                       \
+    X(growth) X(flicker) X(shadows) X(area_refinement) X(area_flicker) X(indirect) X(lobes)        \
+        X(choice)
 
 /* Only where they are asked for by name. */
 #define SCENES_EXTRA_PARTS(X) X(tune)

@@ -64,7 +64,6 @@ gpu_status nichols_create_state(render_frame *frame, const multires_settings *se
                                 void **state);
 
 extern const render_pipeline multires_pipeline, multires_same_pipeline, multires_apart_pipeline,
-    multires_lobe_pipeline,
-    nichols_pipeline;
+    multires_lobe_pipeline, nichols_pipeline;
 
 #endif
