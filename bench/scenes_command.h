@@ -6,13 +6,11 @@
 
 /* The parts, in the order of their run; X(part) is called with each, whose work is the function
  * scenes_PART of scenes.h. */
-#define SCENES_PARTS(X)                                                                            \
-    X(views)                                                                                       \
-    X(steps)                                                                                       \
-    X(rates)                                                                                       \
-    X(paper)                                                                                       \
-    X(growth) X(flicker) X(shadows) X(area_refinement) X(area_flicker) X(indirect) X(lobes)        \
-        X(choice)
+/* clang-format off */
+#define SCENES_PARTS(X) \
+    X(views) X(steps) X(rates) X(paper) X(growth) X(flicker) \
+    X(shadows) X(area_refinement) X(area_flicker) X(indirect) X(lobes) X(choice)
+/* clang-format on */
 
 /* Only where they are asked for by name. */
 #define SCENES_EXTRA_PARTS(X) X(tune)
