@@ -24,17 +24,13 @@ static void swing_lights(render_scene *scene, const render_scene *base, double t
 
 static bool both_films(const scenes_plan *plan, const render_scene *scene, FILE *out)
 {
-    scenes_film film = {.moving = "camera",
-                        .truth = "shadows",
+    scenes_film film = {.truth = "shadows",
                         .pipelines = pipelines,
                         .width = plan->quick ? 64 : 160,
                         .height = plan->quick ? 48 : 120,
                         .frames = plan->quick ? 3 : 60,
-                        .move = scenes_swing_camera};
-    bool good = scenes_shoot(plan, scene, &film, out);
-    film.moving = "light";
-    film.move = swing_lights;
-    return good && scenes_shoot(plan, scene, &film, out);
+                        .move_light = swing_lights};
+    return scenes_shoot(plan, scene, &film, out);
 }
 
 bool scenes_area_flicker(const scenes_plan *plan)

@@ -108,7 +108,8 @@ static double swing(int frame, int frames)
     return sin(2.0 * 3.14159265358979323846 * frame / (double)frames);
 }
 
-void scenes_swing_camera(render_scene *scene, const render_scene *base, double t)
+/* The eye around its target by 6 degrees times t. */
+static void swing_camera(render_scene *scene, const render_scene *base, double t)
 {
     double angle = t * 6.0 * 3.14159265358979323846 / 180.0,
            x = base->camera.eye[0] - base->camera.target[0],
@@ -137,8 +138,10 @@ static void write_film(FILE *out, const char *what, const film *f)
     }
 }
 
-bool scenes_shoot(const scenes_plan *plan, const render_scene *base, const scenes_film *shot,
-                  FILE *out)
+typedef void move(render_scene *scene, const render_scene *base, double t);
+
+static bool shoot_one(const scenes_plan *plan, const render_scene *base, const scenes_film *shot,
+                      const char *moving, move *moved, FILE *out)
 {
     film f = {.pixels = (size_t)shot->width * shot->height};
     for (size_t i = 0; i < MOST_PIPELINES; i++)
@@ -148,7 +151,7 @@ bool scenes_shoot(const scenes_plan *plan, const render_scene *base, const scene
     bool good = true;
     for (f.frame = 0; f.frame < shot->frames && good; f.frame++) {
         render_scene scene = *base;
-        shot->move(&scene, base, swing(f.frame, shot->frames));
+        moved(&scene, base, swing(f.frame, shot->frames));
         scenes_table table = {0};
         scenes_view view = {.device = plan->device,
                             .scene = &scene,
@@ -158,29 +161,32 @@ bool scenes_shoot(const scenes_plan *plan, const render_scene *base, const scene
                             .truth = shot->truth};
         good = scenes_measure(&view, shot->pipelines, look, &f, &table);
         scenes_table_free(&table);
-        base_progress_step(progress, shot->moving);
+        base_progress_step(progress, moving);
     }
     base_progress_end(progress);
     if (good)
-        write_film(out, shot->moving, &f);
+        write_film(out, moving, &f);
     for (size_t i = 0; i < MOST_PIPELINES; i++)
         for (int t = 0; t < 3; t++)
             free(f.of[i].light[t]);
     return good;
 }
 
+bool scenes_shoot(const scenes_plan *plan, const render_scene *base, const scenes_film *shot,
+                  FILE *out)
+{
+    return shoot_one(plan, base, shot, "camera", swing_camera, out) &&
+           shoot_one(plan, base, shot, "light", shot->move_light, out);
+}
+
 static bool both_films(const scenes_plan *plan, const render_scene *scene, FILE *out)
 {
-    scenes_film film = {.moving = "camera",
-                        .pipelines = pipelines,
+    scenes_film film = {.pipelines = pipelines,
                         .width = WIDTH,
                         .height = HEIGHT,
                         .frames = plan->quick ? QUICK_FRAMES : FRAMES,
-                        .move = scenes_swing_camera};
-    bool good = scenes_shoot(plan, scene, &film, out);
-    film.moving = "light";
-    film.move = swing_spot;
-    return good && scenes_shoot(plan, scene, &film, out);
+                        .move_light = swing_spot};
+    return scenes_shoot(plan, scene, &film, out);
 }
 
 bool scenes_flicker(const scenes_plan *plan)

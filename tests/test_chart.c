@@ -15,14 +15,6 @@
 #include "report.h"
 #include "work.h"
 
-static int set_up(void **state)
-{
-    (void)state;
-    base_set_source_root(getenv("SGFIT_ROOT"));
-    workspace_open(&work);
-    return 0;
-}
-
 static char *read_there(const char *name)
 {
     char *text = base_read_file(workspace_path(&work, name), NULL);
@@ -237,5 +229,6 @@ int main(void)
         cmocka_unit_test(bench_writes_its_page_whole),
         cmocka_unit_test(the_report_takes_times_from_a_run),
     };
-    return cmocka_run_group_tests(tests, set_up, close_work);
+    base_set_source_root(getenv("SGFIT_ROOT"));
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "base/file.h"
+#include "workspace.h"
 
 static const struct {
     const char *name;
@@ -41,8 +42,9 @@ static size_t take(const char *folder, const char *name, uint32_t width, uint32_
 static void a_picture_of_every_stage(void **state)
 {
     (void)state;
-    char folder[] = "meder_dump_XXXXXX";
-    assert_non_null(mkdtemp(folder));
+    workspace at;
+    workspace_open(&at);
+    const char *folder = at.folder;
     render_frame frame;
     open_frame(&frame, 320, 200);
     float *depth = random_depth(320, 200, 4);

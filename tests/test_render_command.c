@@ -65,6 +65,7 @@ static void statistics_have_every_key(void **state)
                                        "bias"};
     for (size_t i = 0; i < sizeof zero / sizeof *zero; i++)
         assert_true(number(json, zero[i]) == 0);
+    assert_true(number(json, "triangles") == 5200); /* of the built-in scene */
     assert_true(number(json, "light_evaluations") ==
                 number(json, "pixels_covered") * number(json, "lights"));
     const cJSON *times = cJSON_GetObjectItemCaseSensitive(json, "times_ms");
@@ -116,16 +117,23 @@ static void files_hold_the_frame(void **state)
         assert_int_equal(width, 48);
         assert_int_equal(height, 27);
     }
+    float *colours[3] = {layers[0], exr_read(first, "G", &(int){0}, &(int){0}),
+                         exr_read(first, "B", &(int){0}, &(int){0})};
+    assert_true(colours[1] && colours[2]);
     int lit = 0;
     for (int i = 0; i < 48 * 27; i++) {
         double radiance = (double)layers[2][i] * (double)layers[1][i] / 3.14159265358979323846;
         assert_true(fabs((double)layers[0][i] - radiance) <= 1e-5 * radiance);
         assert_true((layers[3][i] == 1) == (layers[6][i] > 0));
         lit += layers[0][i] > 0;
+        for (int c = 0; c < 3; c++)
+            assert_true(colours[c][i] >= 0 && isfinite(colours[c][i]));
     }
     assert_true(lit > 300);
     for (int i = 0; i < 8; i++)
         free(layers[i]);
+    free(colours[1]);
+    free(colours[2]);
     size_t size;
     char *png = workspace_read_path(picture, &size);
     assert_non_null(png);
@@ -213,9 +221,12 @@ static void a_missing_device_is_one_line(void **state)
     const char *before = getenv("VK_ICD_FILENAMES");
     char *kept = before ? strdup(before) : NULL;
     setenv("VK_ICD_FILENAMES", "/nonexistent.json", 1);
-    r = RUN(NULL, "render", "--size", "8x8");
+    const char *picture = workspace_path(&work, "never.exr");
+    r = RUN(NULL, "render", "--size", "8x8", "--out", picture);
     assert_int_equal(r.status, 1);
     assert_one_line(r.error, "Vulkan");
+    assert_string_equal(r.out, "");
+    assert_int_equal(access(picture, F_OK), -1);
     run_free(&r);
     if (kept)
         setenv("VK_ICD_FILENAMES", kept, 1);

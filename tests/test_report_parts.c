@@ -11,14 +11,6 @@
 #include "report.h"
 #include "work.h"
 
-static int set_up(void **state)
-{
-    (void)state;
-    base_set_source_root(getenv("SGFIT_ROOT"));
-    workspace_open(&work);
-    return 0;
-}
-
 static char *read_there(const char *name)
 {
     char *text = base_read_file(workspace_path(&work, name), NULL);
@@ -107,5 +99,6 @@ int main(void)
         cmocka_unit_test(failures_and_maps_are_in_the_report),
         cmocka_unit_test(readme_has_the_current_figures),
     };
-    return cmocka_run_group_tests(tests, set_up, close_work);
+    base_set_source_root(getenv("SGFIT_ROOT"));
+    return cmocka_run_group_tests(tests, open_work, close_work);
 }

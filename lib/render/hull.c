@@ -279,15 +279,7 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
     {                                                                                              \
         return hull_create(frame, &NAME##_standard, state);                                        \
     }                                                                                              \
-    const render_pipeline NAME##_pipeline = {                                                      \
-        .id = #NAME,                                                                               \
-        .title = TITLE,                                                                            \
-        .create = create_##NAME,                                                                   \
-        .run = hull_run,                                                                           \
-        .dump = hull_dump,                                                                         \
-        .destroy = hull_destroy,                                                                   \
-        .profile = PROFILE,                                                                        \
-    };
+    HULL_PIPELINE(NAME, TITLE, PROFILE)
 
 HULL(hull, "a hull of vertices for the far light, near lights at every pixel", NULL)
 HULL(hull_lobe, "the same with lobes at each vertex, integrated by the fitted form", hull_profile)

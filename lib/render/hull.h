@@ -43,6 +43,18 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
 void hull_destroy(void *state);
 bool hull_dump(render_frame *frame, void *state, const char *folder);
 
+/* The record of a pipeline that create_NAME makes with settings of its own. */
+#define HULL_PIPELINE(NAME, TITLE, PROFILE)                                                        \
+    const render_pipeline NAME##_pipeline = {                                                      \
+        .id = #NAME,                                                                               \
+        .title = TITLE,                                                                            \
+        .create = create_##NAME,                                                                   \
+        .run = hull_run,                                                                           \
+        .dump = hull_dump,                                                                         \
+        .destroy = hull_destroy,                                                                   \
+        .profile = PROFILE,                                                                        \
+    };
+
 extern const render_pipeline hull_pipeline, hull_lobe_pipeline;
 /* upsample_sh.c */
 extern const render_pipeline upsample_sh2_pipeline, upsample_sh4_pipeline, upsample_sh8_pipeline;

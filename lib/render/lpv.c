@@ -8,8 +8,12 @@
 #include "base/buffer.h"
 #include "internal.h"
 
-const lpv_settings lpv_default = {
-    .volume = 24, .samples = 4000, .darts = 100000, .points = 16, .sharpest = 0.5F, .lift = 1};
+const lpv_settings lpv_default = {.volume = LPV_USUAL_VOLUME,
+                                  .samples = 4000,
+                                  .darts = 100000,
+                                  .points = 16,
+                                  .sharpest = 0.5F,
+                                  .lift = 1};
 
 enum { GROUP = 64, EMITTERS = 64, LOBES_BYTES = 48, SUMS_BYTES = 96 };
 

@@ -13,6 +13,7 @@
 
 #include "shadows.h"
 
+#define LPV_USUAL_VOLUME 24 /* voxels along the longest side where none are asked for */
 enum { LPV_MOST_VOLUME = 96, LPV_MOST_STEPS = 1024, LPV_MOST_SAMPLES = 16000 };
 
 /* ---- lpv_samples.c: Poisson-disk samples ---------------------------------------------- */

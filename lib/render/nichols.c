@@ -7,8 +7,8 @@
 
 typedef struct state {
     multires m;
-    multires_push *push; /* of each level, for each part of the lights */
-    uint32_t parts;
+    multires_push *push; /* of each level, for each light */
+    uint32_t lights;
     gpu_buffer *visible;
     gpu_compute *trace, *refine, *upsample;
 } state;
@@ -36,19 +36,16 @@ static gpu_status create_visible(render_frame *frame, state *s)
     return gpu_buffer_create(frame->device, bytes, &s->visible);
 }
 
-/* Lights of which an invocation traces all rays: drivers may end a shader whose loops turn often,
- * and 64 rays through deep trees turn a lot. */
-static void make_parts(state *s)
+/* A dispatch traces the rays to one light: drivers may end a shader whose loops turn often, and 64
+ * rays through deep trees turn a lot. */
+static void make_pushes(state *s)
 {
-    enum { AT_ONCE = 1 };
-    uint32_t lights = s->m.shadows.light_count;
-    s->parts = lights > AT_ONCE ? (lights + AT_ONCE - 1) / AT_ONCE : 1;
-    s->push = base_allocate(s->parts * RENDER_LEVELS * sizeof *s->push);
-    for (uint32_t i = 0; i < s->parts * RENDER_LEVELS; i++) {
-        s->push[i] = s->m.push[i / s->parts];
-        s->push[i].first_light = i % s->parts * AT_ONCE;
-        if (i % s->parts + 1 < s->parts)
-            s->push[i].last_light = s->push[i].first_light + AT_ONCE;
+    s->lights = s->m.shadows.light_count;
+    s->push = base_allocate(s->lights * RENDER_LEVELS * sizeof *s->push);
+    for (uint32_t i = 0; i < s->lights * RENDER_LEVELS; i++) {
+        s->push[i] = s->m.push[i / s->lights];
+        s->push[i].first_light = i % s->lights;
+        s->push[i].last_light = s->push[i].first_light + 1;
     }
 }
 
@@ -70,7 +67,7 @@ gpu_status nichols_create_state(render_frame *frame, const multires_settings *ow
     if (status == GPU_OK)
         status = multires_compute(frame, "nichols/upsample.comp", &image, &s->upsample);
     if (status == GPU_OK) {
-        make_parts(s);
+        make_pushes(s);
         *pointer = s;
     } else {
         destroy(s);
@@ -103,13 +100,13 @@ static gpu_status run(render_frame *frame, void *pointer, render_statistics *sta
     static const char *const up[] = {"upsampling to 1", "upsampling to 2", "upsampling to 4",
                                      "upsampling to 8", "upsampling to 16"};
     const state *s = pointer;
-    gpu_step *steps = base_allocate((32 + s->parts * RENDER_LEVELS) * sizeof *steps);
+    gpu_step *steps = base_allocate((32 + s->lights * RENDER_LEVELS) * sizeof *steps);
     int count = multires_begin(frame, &s->m, steps);
     steps[count++] = (gpu_step){.name = "reset visibility", .fill = s->visible};
     for (int l = RENDER_LEVELS - 1; l >= 0; l--) {
-        for (uint32_t part = 0; part < s->parts; part++) {
+        for (uint32_t light = 0; light < s->lights; light++) {
             steps[count] = multires_list_step(frame, &s->m, traced[l], s->trace, l, l, s->visible);
-            steps[count++].push = &s->push[(uint32_t)l * s->parts + part];
+            steps[count++].push = &s->push[(uint32_t)l * s->lights + light];
         }
         if (l > 0)
             steps[count++] = level_step(frame, s, refined[l], s->refine, l, 8, 8, s->visible);

@@ -22,6 +22,9 @@ typedef struct settings {
     long runs, volume, steps;
 } settings;
 
+#define DIGITS_OF(NUMBER) #NUMBER
+#define DIGITS(MACRO)     DIGITS_OF(MACRO)
+
 enum { LARGEST_SIDE = 16384, MOST_RUNS = 1000 };
 static const long not_given = LONG_MIN;
 
@@ -105,7 +108,7 @@ static int read_arguments(int argc, char **argv, settings *s)
         {"indirect", BASE_CHOICE, &s->indirect, "none|lpv",
          "add one diffuse bounce, by a light propagation volume (default: none)", NULL},
         {"volume", BASE_LONG, &s->volume, "N",
-         "voxels along the volume's longest side (default: 24)", NULL},
+         "voxels along the volume's longest side (default: " DIGITS(LPV_USUAL_VOLUME) ")", NULL},
         {"steps", BASE_LONG, &s->steps, "N",
          "how often light moves on in the volume (default: 2 N)", NULL},
         {"runs", BASE_LONG, &s->runs, "N", "times are medians of N runs (default: 1)", NULL},

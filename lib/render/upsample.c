@@ -13,7 +13,7 @@ typedef struct upsample {
     gpu_buffer *arguments, *list; /* pixels that are lit exactly */
 } upsample;
 
-void upsample_destroy(void *state)
+static void destroy(void *state)
 {
     upsample *u = state;
     if (!u)
@@ -72,11 +72,11 @@ gpu_status upsample_create(render_frame *frame, const upsample_settings *setting
     if (status == GPU_OK)
         *state = u;
     else
-        upsample_destroy(u);
+        destroy(u);
     return status;
 }
 
-gpu_status upsample_run(render_frame *frame, void *state, render_statistics *statistics)
+static gpu_status run(render_frame *frame, void *state, render_statistics *statistics)
 {
     const upsample *u = state;
     const upsample_settings *s = &u->settings;
@@ -113,8 +113,8 @@ gpu_status upsample_run(render_frame *frame, void *state, render_statistics *sta
         .id = "upsample" #FACTOR,                                                                  \
         .title = TITLE " resolution, joint bilateral upsampling of irradiance",                    \
         .create = create##FACTOR,                                                                  \
-        .run = upsample_run,                                                                       \
-        .destroy = upsample_destroy,                                                               \
+        .run = run,                                                                                \
+        .destroy = destroy,                                                                        \
     };
 
 /* Chosen by bench/rivals_tried.md. */

@@ -11,8 +11,6 @@ typedef struct upsample_settings {
 } upsample_settings;
 
 gpu_status upsample_create(render_frame *frame, const upsample_settings *settings, void **state);
-gpu_status upsample_run(render_frame *frame, void *state, render_statistics *statistics);
-void upsample_destroy(void *state);
 
 extern const render_pipeline upsample2_pipeline, upsample4_pipeline, upsample8_pipeline;
 

@@ -12,14 +12,7 @@
         __VA_ARGS__;                                                                               \
         return hull_create(frame, &s, state);                                                      \
     }                                                                                              \
-    const render_pipeline NAME##_pipeline = {                                                      \
-        .id = #NAME,                                                                               \
-        .title = TITLE,                                                                            \
-        .create = create_##NAME,                                                                   \
-        .run = hull_run,                                                                           \
-        .dump = hull_dump,                                                                         \
-        .destroy = hull_destroy,                                                                   \
-    };
+    HULL_PIPELINE(NAME, TITLE, NULL)
 
 UPSAMPLE(upsample_sh2,
          "half resolution, joint bilateral upsampling of light by moments up to order 2", s.tau = 0,
