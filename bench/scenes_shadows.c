@@ -140,15 +140,17 @@ static bool look(void *context, render_frame *frame, const scenes_row *row, cons
            fragment_map(m, frame, row);
 }
 
-/* Tracing all rays at 1920 x 1080 takes minutes: there what the bars need. */
-static bool one_scene(const scenes_plan *plan, const char *path, int size_count, char *pictures,
-                      measured *m, base_progress *progress)
+/* Tracing all rays at 1920 x 1080 takes minutes: there what the bars need. Every variant where it
+ * is the first scene. */
+static bool one_scene(const scenes_plan *plan, const char *path, bool first, int size_count,
+                      char *pictures, measured *m, base_progress *progress)
 {
     static const uint32_t full[][2] = {{1024, 768}, {1920, 1080}}, quick[][2] = {{256, 192}};
-    static const char *const rivals[] = {"multires", "shadows2", "nichols", NULL}, *const bars[] = {
-                                                                                       "multires",
-                                                                                       "nichols",
-                                                                                       NULL};
+    static const char *const every[] = {
+        "multires", "multires_same", "multires_apart", "multires_lobe",
+        "shadows2", "shadows4",      "nichols",        NULL};
+    static const char *const rivals[] = {"multires", "shadows2", "nichols", NULL};
+    static const char *const bars[] = {"multires", "nichols", NULL};
     const uint32_t(*sizes)[2] = plan->quick ? quick : full;
     render_scene scene;
     if (!render_scene_read(path, plan->folder, &scene))
@@ -164,7 +166,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, int size_count,
                             .warm = plan->warm,
                             .runs = 1};
         m->pictures = s == 0 ? pictures : NULL;
-        good = scenes_measure(&view, s == 0 ? rivals : bars, look, m, &m->table);
+        good = scenes_measure(&view, s > 0 ? bars : first ? every : rivals, look, m, &m->table);
         base_progress_step(progress, scene.name);
     }
     render_scene_free(&scene);
@@ -188,8 +190,8 @@ bool scenes_shadows(const scenes_plan *plan)
     base_progress *progress =
         base_progress_begin("shadows", plan->quick ? used : used + (plan->only ? used : FEW));
     for (size_t i = 0; i < used && good; i++)
-        good = one_scene(plan, paths[i], plan->quick || (i >= FEW && !plan->only) ? 1 : 2, pictures,
-                         &m, progress);
+        good = one_scene(plan, paths[i], i == 0, plan->quick || (i >= FEW && !plan->only) ? 1 : 2,
+                         pictures, &m, progress);
     base_progress_end(progress);
     good = good && write_csv(&m, csv);
     free(pictures);
