@@ -149,9 +149,9 @@ static inline gpu_compute *compile_test(fixture *f, gpu_buffer **kept)
 static inline void run_first(fixture *f, multires *m)
 {
     must(multires_create(&f->frame, &multires_default, m));
-    gpu_step steps[4];
-    assert_int_equal(multires_begin(&f->frame, m, steps), 4);
-    must(gpu_run(f->device, steps, 4, NULL));
+    gpu_step steps[MULTIRES_FIRST_STEPS];
+    assert_int_equal(multires_begin(&f->frame, m, steps), MULTIRES_FIRST_STEPS);
+    must(gpu_run(f->device, steps, MULTIRES_FIRST_STEPS, NULL));
 }
 
 #endif

@@ -70,7 +70,7 @@ static void make_steps(render_frame *frame, state *s)
                                         "sub-fragment visibility 4", "sub-fragment visibility 8",
                                         "sub-fragment visibility 16"};
     size_t most = 2 * RENDER_LEVELS * (size_t)parts_of(s, lights_at_once(s, 0));
-    s->steps = base_allocate((most + 8) * sizeof *s->steps);
+    s->steps = base_allocate((most + MULTIRES_FIRST_STEPS + 2) * sizeof *s->steps);
     s->push = base_allocate(most * sizeof *s->push);
     multires_push *next = s->push;
     s->step_count = multires_begin(frame, &s->m, s->steps);

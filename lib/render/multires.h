@@ -10,6 +10,7 @@ typedef struct multires_push {
     float plane_limit, normal_limit;
     uint32_t points, together;
     uint32_t first_light, last_light, first_round, last_round;
+    float tolerance;
 } multires_push;
 
 /* Of the 64 points of a light: POINTS_ of fragments.glsl. */
@@ -17,6 +18,7 @@ enum multires_points { MULTIRES_SAME, MULTIRES_BOTH, MULTIRES_APART };
 
 typedef struct multires_settings {
     uint32_t differing, steep;       /* bits */
+    float tolerance;                 /* over the mean irradiance; MULTIRES_BOTH, else it is 0 */
     float plane_limit, normal_limit; /* pixels, 1 */
     enum multires_points points;
     uint32_t together; /* fragments in a work group */
@@ -34,7 +36,7 @@ typedef struct multires {
     multires_push push[RENDER_LEVELS]; /* one a level */
     size_t tiles;
     gpu_buffer *work, *lists, *pyramid, *illumination;
-    gpu_compute *pyramids, *cull;
+    gpu_compute *pyramids, *cull, *mean; /* mean: NULL where nothing is tolerated */
 } multires;
 
 gpu_status multires_create(render_frame *frame, const multires_settings *settings, multires *m);
@@ -49,7 +51,9 @@ gpu_step multires_step(const render_frame *frame, const multires *m, const char 
 /* The same over a list of fragments. */
 gpu_step multires_list_step(const render_frame *frame, const multires *m, const char *name,
                             gpu_compute *compute, int level, int list, void *own);
-/* Resetting, the pyramids and the first fragments: returns how many steps were written, 4. */
+enum { MULTIRES_FIRST_STEPS = 6 };
+/* Resetting, the mean irradiance where it is needed, the pyramids and the first fragments. Returns
+ * how many steps were written, at most MULTIRES_FIRST_STEPS. */
 int multires_begin(const render_frame *frame, const multires *m, gpu_step *steps);
 
 /* Writes fragments.png into the folder: levels 0 to 4 red, orange, yellow, green, blue. */

@@ -3,11 +3,12 @@
 
 #include "multires.h"
 
-/* Four words for each of the lists, see struct Work. */
-enum { WORK_WORDS = 4 * RENDER_LEVELS };
+/* Four words for each of the lists and for the mean irradiance, see struct Work. */
+enum { WORK_WORDS = 4 * (RENDER_LEVELS + 1) };
 
 const multires_settings multires_default = {.differing = 1,
                                             .steep = 4,
+                                            .tolerance = 0.03F,
                                             .plane_limit = 1.5F,
                                             .normal_limit = 0.25F,
                                             .points = MULTIRES_BOTH,
@@ -40,12 +41,14 @@ gpu_status multires_create(render_frame *frame, const multires_settings *setting
     uint32_t across = (frame->width + MULTIRES_TILE - 1) / MULTIRES_TILE;
     uint32_t down = (frame->height + MULTIRES_TILE - 1) / MULTIRES_TILE;
     m->tiles = (size_t)across * down;
+    float tolerance = settings->points == MULTIRES_BOTH ? settings->tolerance : 0;
     for (uint32_t l = 0; l < RENDER_LEVELS; l++)
         m->push[l] =
             (multires_push){.tiles = {across, down},
                             .level = l,
                             .differing = settings->differing,
                             .steep = settings->steep,
+                            .tolerance = l > 2 ? tolerance / 3 : tolerance,
                             .plane_limit = settings->plane_limit,
                             .normal_limit = settings->normal_limit,
                             .points = (uint32_t)settings->points,
@@ -58,6 +61,8 @@ gpu_status multires_create(render_frame *frame, const multires_settings *setting
         status = multires_compute(frame, "multires/pyramids.comp", NULL, &m->pyramids);
     if (status == GPU_OK)
         status = multires_compute(frame, "multires/cull.comp", NULL, &m->cull);
+    if (status == GPU_OK && tolerance > 0)
+        status = multires_compute(frame, "multires/mean.comp", NULL, &m->mean);
     if (status != GPU_OK)
         multires_destroy(m);
     return status;
@@ -67,6 +72,7 @@ void multires_destroy(multires *m)
 {
     gpu_compute_destroy(m->pyramids);
     gpu_compute_destroy(m->cull);
+    gpu_compute_destroy(m->mean);
     gpu_buffer_destroy(m->work);
     gpu_buffer_destroy(m->lists);
     gpu_buffer_destroy(m->pyramid);
@@ -107,9 +113,16 @@ int multires_begin(const render_frame *frame, const multires *m, gpu_step *steps
     const uint32_t *tiles = m->push[0].tiles;
     steps[0] = (gpu_step){.name = "reset lists", .fill = m->work, .clear_bits = {1}};
     steps[1] = (gpu_step){.name = "reset illumination", .fill = m->illumination};
-    steps[2] = multires_step(frame, m, "discontinuity pyramids", m->pyramids, 0, NULL);
-    steps[3] = multires_step(frame, m, "discontinuity and culling", m->cull, 0, NULL);
-    for (int i = 2; i < 4; i++)
+    int count = 2;
+    for (int l = RENDER_LEVELS - 1; m->mean && l >= 0; l -= RENDER_LEVELS - 1) {
+        steps[count] = multires_step(frame, m, l > 0 ? "samples of the mean" : "mean irradiance",
+                                     m->mean, l, NULL);
+        uint32_t groups = l > 0 ? (uint32_t)((m->tiles + 63) / 64) : 1;
+        memcpy(steps[count++].groups, (uint32_t[3]){groups, 1, 1}, sizeof steps->groups);
+    }
+    steps[count++] = multires_step(frame, m, "discontinuity pyramids", m->pyramids, 0, NULL);
+    steps[count++] = multires_step(frame, m, "discontinuity and culling", m->cull, 0, NULL);
+    for (int i = count - 2; i < count; i++)
         memcpy(steps[i].groups, (uint32_t[3]){tiles[0], tiles[1], 1}, sizeof steps[i].groups);
-    return 4;
+    return count;
 }

@@ -57,6 +57,7 @@ gpu_status nichols_create_state(render_frame *frame, const multires_settings *ow
     *s = (state){0};
     multires_settings settings = *own;
     settings.together = 64;
+    settings.tolerance = 0;
     gpu_status status = multires_create(frame, &settings, &s->m);
     if (status == GPU_OK)
         status = create_visible(frame, s);

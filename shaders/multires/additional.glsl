@@ -24,7 +24,8 @@ void main()
         uint sets = form > 0.0 ? 1u : 0u;
         for (uint set = 0u; set < sets; set++) {
             uint bits = see_set(light, s, set, seen, rays);
-            if (set == 0u && in_part(bits) && points != POINTS_SAME)
+            bool more = in_part(bits) || (bits != 0u && worth_of(light, form) > BRIGHT);
+            if (set == 0u && more && points != POINTS_SAME)
                 sets = 4u;
         }
         form = form_after_test(light, s, form, seen.x, seen.y);

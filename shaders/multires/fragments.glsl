@@ -17,6 +17,7 @@ layout(push_constant) uniform Push
     uint together;        // fragments that a work group of the next passes takes
     uint first_light, last_light; // of this dispatch, without the last
     uint first_round, last_round; // of test.comp, without the last
+    float tolerance;      // what may differ in a fragment, over the image's mean irradiance
 };
 const uint POINTS_SAME = 0u;  // the same 16 of each light for all
 const uint POINTS_BOTH = 1u;  // the same 16 for tests, all 64 split over four for irradiance
@@ -29,6 +30,7 @@ struct Work {
     uint groups[3]; // of an indirect dispatch
     uint count;     // 1 more than there are
 };
+const uint MEAN = TOP + 1u; // bits of the image's mean irradiance are groups[0] there
 layout(set = 0, binding = 9, std430) buffer WorkBuffer { Work work[]; };
 layout(set = 0, binding = 10, std430) buffer Lists { uint lists[]; };
 

@@ -22,10 +22,10 @@ float lobe_form_factor(uint light, Surface s)
     return 2.0 * part / sg_integral(lambda) * SG_METHOD_A_h(lambda, along);
 }
 
-// The form factor is needed only where some of a light is seen, but not all.
+// The lobe's: the form factor is needed only where some of a light is seen, but not all.
 float form_before_test(uint light, Surface s)
 {
-    return 1.0;
+    return max(lobe_form_factor(light, s), 1e-6); // rays are traced from everywhere
 }
 
 float form_after_test(uint light, Surface s, float form, float seen, float all)

@@ -3,6 +3,8 @@
 #ifndef VISIBILITY_GLSL
 #define VISIBILITY_GLSL
 
+const float BRIGHT = 0.3; // worth above which a light is looked at by all points
+
 // Adds a set of 16 of the 64 points. Returns the bits of those that are visible.
 uint see_set(uint light, Surface s, uint set, inout vec2 weights, inout uint rays)
 {
@@ -20,6 +22,14 @@ uint see_set(uint light, Surface s, uint set, inout vec2 weights, inout uint ray
     }
     trace_gave_up = trace_gave_up || i < 16u;
     return bits;
+}
+
+// What a light gives without shadow, the mean of the channels over the image's mean irradiance.
+float worth_of(uint light, float form)
+{
+    vec3 open = areas[light].exitance.rgb * form;
+    float mean = uintBitsToFloat(work[MEAN].groups[0]), value = (open.r + open.g + open.b) / 3.0;
+    return mean > 0.0 ? value / mean : value > 0.0 ? 1e9 : 0.0;
 }
 
 bool in_part(uint bits)

@@ -1,0 +1,255 @@
+/* Refinement of the multiresolution pipeline, against the same done on the host: the mean
+ * irradiance that bits are weighed by, fragments that split, pixels that look at lights alone. */
+#include "multires_fixture.h"
+
+#include "embree.h"
+
+enum { WIDTH = 152, HEIGHT = 98 };
+
+/* ---- Visibility and refinement (3.1.2, 3.1.3) ------------------------------------------ */
+
+/* Bits of a set of 16 points of a light, traced by Embree. */
+static uint32_t see(const fixture *f, const embree_scene *embree, const render_area_light *light,
+                    uint32_t x, uint32_t y, int set)
+{
+    size_t at = (size_t)y * f->frame.width + x;
+    const float *p = f->position + 4 * at;
+    double size = (double)p[3], n[3];
+    for (int k = 0; k < 3; k++)
+        size = fmax(size, fabs((double)p[k]));
+    float points[SHADOWS_POINTS][4], origin[3], reach;
+    double extent = 0;
+    for (int i = 0; i < light->corner_count; i++)
+        for (int k = 0; k < 3; k++)
+            extent = fmax(extent, fabs(light->corners[i][k]));
+    shadows_points(light, 1e-4 * extent, points);
+    shadows_normal(light, n);
+    for (int k = 0; k < 3; k++)
+        origin[k] = p[k] + (float)(1e-4 * size) * f->face[at][k];
+    uint32_t bits = 0;
+    for (int i = 0; i < 16; i++) {
+        const float *to = points[16 * set + i];
+        float d[3], from[3];
+        double facing = 0;
+        for (int k = 0; k < 3; k++) {
+            d[k] = to[k] - origin[k];
+            from[k] = to[k] - p[k];
+            facing -= (double)from[k] * n[k];
+        }
+        bool counts = facing > 0 && dot(from, f->normal[at]) > 0 && dot(from, f->face[at]) > 0;
+        if (counts && embree_closest(embree, origin, d, 1, &reach) == UINT32_MAX)
+            bits |= 1u << i;
+    }
+    return bits;
+}
+
+/* Form factor of a light at a pixel, without shadow, by a grid of points on it. */
+static double form_factor(const fixture *f, const render_area_light *light, uint32_t x, uint32_t y)
+{
+    enum { SIDE = 40 };
+    size_t at = (size_t)y * f->frame.width + x;
+    double n[3], sum = 0;
+    shadows_normal(light, n);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double to[3], square = 0, facing = 0, above = 0;
+        shadows_point(light, (i % SIDE + 0.5) / SIDE, (i / SIDE + 0.5) / SIDE, to);
+        for (int k = 0; k < 3; k++) {
+            double d = to[k] - (double)f->position[4 * at + (size_t)k];
+            square += d * d;
+            facing -= d * n[k]; /* n: as long as the light has area */
+            above += d * (double)f->normal[at][k];
+        }
+        sum += fmax(facing, 0) * fmax(above, 0) / (square * square);
+    }
+    return sum / (SIDE * SIDE * 3.14159265358979323846);
+}
+
+static double exitance(const render_area_light *light)
+{
+    return (light->exitance[0] + light->exitance[1] + light->exitance[2]) / 3;
+}
+
+/* The mean that mean.comp left. */
+static double mean_of(const multires *m)
+{
+    float mean;
+    memcpy(&mean, (const uint32_t *)gpu_buffer_map(m->work) + 4 * RENDER_LEVELS, sizeof mean);
+    return (double)mean;
+}
+
+static const uint32_t round_the[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+typedef struct looked {
+    uint32_t any[4], all[4], corners[4]; /* of the four sets of points */
+    double worth;
+} looked;
+
+static int ones(uint32_t bits)
+{
+    return __builtin_popcount(bits);
+}
+
+/* A light in the second round, see sub.glsl: what differs. */
+static double differs_again(const looked *l, bool dark, double tolerance)
+{
+    int differ = 0, more = 0;
+    bool lit = false, bright = l->worth > 0.3;
+    for (int i = 0; i < 4; i++) {
+        differ += ones((l->any[i] | l->corners[i]) & ~(l->all[i] & l->corners[i]));
+        more += ones(l->corners[i]) - ones(l->any[i]);
+        lit = lit || l->corners[i];
+    }
+    if (dark)
+        return lit ? 1e9 : 0;
+    return bright ? differ * l->worth / 32 : abs(more) * l->worth > 64 * tolerance ? 1e9 : 0;
+}
+
+/* What a fragment of level 4 sees of a light. */
+static looked look(const fixture *f, const embree_scene *embree, double mean,
+                   const render_area_light *light, uint32_t x, uint32_t y, uint32_t first[4])
+{
+    looked l = {.worth = 0};
+    for (int i = 0; i < 4; i++)
+        l.worth = fmax(l.worth, exitance(light) / mean *
+                                    form_factor(f, light, 16 * x + 8 * round_the[i][0] + 4,
+                                                16 * y + 8 * round_the[i][1] + 4));
+    for (int set = 0; set < 4; set++) {
+        l.all[set] = 0xffff;
+        for (int i = 0; i < 4; i++) {
+            uint32_t bits = see(f, embree, light, 16 * x + 8 * round_the[i][0] + 4,
+                                16 * y + 8 * round_the[i][1] + 4, set);
+            first[i] = set == 0 ? bits : first[i];
+            if (l.worth > 0.3 || i == set) /* not bright: a set each */
+                l.any[set] |= bits, l.all[set] &= bits;
+        }
+        l.corners[set] = see(f, embree, light, 16 * x + 15 * round_the[set][0],
+                             16 * y + 15 * round_the[set][1], set);
+    }
+    return l;
+}
+
+/* What becomes of a fragment of level 4: children, in the order of their entries with the level
+ * above bit 28. */
+static int expect_children(const fixture *f, const embree_scene *embree, double mean,
+                           uint32_t entry, uint32_t children[16])
+{
+    uint32_t x = entry & 0x3fff, y = entry >> 14 & 0x3fff, twice = 0;
+    double differ = 0, again = 0, tolerance = (double)multires_default.tolerance / 3;
+    for (size_t l = 0; l < f->scene.area_light_count; l++) {
+        uint32_t bits[4], all = 0xffff, any = 0;
+        looked found = look(f, embree, mean, &f->scene.area_lights[l], x, y, bits);
+        for (int i = 0; i < 4; i++) {
+            int gradient = abs(ones(bits[i]) - ones(bits[(i + 1) % 4]));
+            all &= bits[i];
+            any |= bits[i];
+            if (gradient > 4 && gradient * found.worth > 16 * tolerance)
+                twice |= 1u << i | 1u << ((i + 1) % 4);
+        }
+        differ += ones(any & ~all) * found.worth / 16;
+        again += differs_again(&found, !any, tolerance);
+    }
+    int count = 0;
+    for (uint32_t i = 0; differ + again > tolerance && i < 4; i++) {
+        uint32_t sx = 2 * x + round_the[i][0], sy = 2 * y + round_the[i][1];
+        if (!(twice >> i & 1))
+            children[count++] = sx | sy << 14 | 3u << 28;
+        for (uint32_t k = 0; (twice >> i & 1) && k < 4; k++)
+            children[count++] =
+                (2 * sx + round_the[k][0]) | (2 * sy + round_the[k][1]) << 14 | 2u << 28;
+    }
+    return count;
+}
+
+static bool in_list(const multires *m, uint32_t child)
+{
+    uint32_t level = child >> 28, entry = child & 0xfffffff;
+    for (uint32_t i = 0; i < list_count(m, (int)level); i++)
+        if ((list_entries(m, (int)level)[i] & 0xfffffff) == entry)
+            return true;
+    return false;
+}
+
+/* Of the pixels in the middle of the tiles, by the set of 16 points that is the tile's turn. */
+static void the_mean_is_that_of_a_pixel_a_tile(void **state)
+{
+    (void)state;
+    fixture f;
+    fixture_open(&f, "box_area", WIDTH * 2, HEIGHT * 2);
+    embree_scene embree = embree_open(&f.scene);
+    multires m;
+    run_first(&f, &m);
+    double sum = 0;
+    int count = 0;
+    for (uint32_t tile = 0; tile < m.tiles; tile++) {
+        uint32_t across = m.push[0].tiles[0];
+        uint32_t x = 16 * (tile % across) + 8, y = 16 * (tile / across) + 8;
+        if (x >= f.frame.width || y >= f.frame.height ||
+            f.position[4 * ((size_t)y * f.frame.width + x) + 3] <= 0)
+            continue;
+        count++;
+        for (size_t l = 0; l < f.scene.area_light_count; l++) {
+            const render_area_light *light = &f.scene.area_lights[l];
+            sum += exitance(light) * form_factor(&f, light, x, y) / 16 *
+                   ones(see(&f, &embree, light, x, y, tile % 4));
+        }
+    }
+    printf("mean irradiance %g, on the host %g\n", mean_of(&m), sum / count);
+    /* points count alike on the host, and by their weights on the device */
+    assert_true(count > 100 && fabs(mean_of(&m) - sum / count) < 0.03 * sum / count);
+    multires_destroy(&m);
+    embree_close(&embree);
+    fixture_close(&f);
+}
+
+static void fragments_split_where_visibility_differs(void **state)
+{
+    (void)state;
+    fixture f;
+    fixture_open(&f, "box_area", WIDTH * 2, HEIGHT * 2);
+    embree_scene embree = embree_open(&f.scene);
+    multires m;
+    run_first(&f, &m);
+    uint32_t before[2] = {list_count(&m, 3), list_count(&m, 2)}, count = list_count(&m, 4);
+    uint32_t *tops = sorted_list(&m, 4);
+    gpu_buffer *between;
+    gpu_compute *test = compile_test(&f, &between);
+    gpu_step step = multires_list_step(&f.frame, &m, "test", test, 4, 4, between);
+    must(gpu_run(f.device, &step, 1, NULL));
+    int same = 0, kept = 0, once = 0, again = 0;
+    uint32_t expected[2] = {0, 0};
+    double mean = mean_of(&m);
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t children[16], x = tops[i] & 0x3fff, y = tops[i] >> 14 & 0x3fff;
+        int number = expect_children(&f, &embree, mean, tops[i], children), found = 0;
+        for (int k = 0; k < number; k++) {
+            found += in_list(&m, children[k]);
+            expected[children[k] >> 28 == 2]++;
+        }
+        bool is_final = state_of(&m, 4, x, y) == STATE_FINAL;
+        same += number ? found == number && !is_final : is_final;
+        kept += number == 0, once += number == 4, again += number > 4;
+    }
+    printf("%u fragments of 16 pixels: %d final, %d split, %d split twice; %d as on the host\n",
+           count, kept, once, again, same);
+    assert_true(kept > 5 && once > 5 && again > 2);
+    assert_true(same >= (int)count - (int)count / 50); /* a ray along an edge */
+    for (int i = 0; i < 2; i++) {
+        double made = list_count(&m, 3 - i) - before[i];
+        assert_true(fabs(made - expected[i]) <= 0.02 * expected[i] + 4);
+    }
+    free(tops);
+    gpu_compute_destroy(test);
+    gpu_buffer_destroy(between);
+    multires_destroy(&m);
+    embree_close(&embree);
+    fixture_close(&f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_mean_is_that_of_a_pixel_a_tile),
+        cmocka_unit_test(fragments_split_where_visibility_differs),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
