@@ -115,8 +115,8 @@ int multires_begin(const render_frame *frame, const multires *m, gpu_step *steps
     steps[1] = (gpu_step){.name = "reset illumination", .fill = m->illumination};
     int count = 2;
     for (int l = RENDER_LEVELS - 1; m->mean && l >= 0; l -= RENDER_LEVELS - 1) {
-        steps[count] = multires_step(frame, m, l > 0 ? "samples of the mean" : "mean irradiance",
-                                     m->mean, l, NULL);
+        steps[count] = multires_step(
+            frame, m, l > 0 ? "visibility for the mean" : "mean irradiance", m->mean, l, NULL);
         uint32_t groups = l > 0 ? (uint32_t)((m->tiles + 63) / 64) : 1;
         memcpy(steps[count++].groups, (uint32_t[3]){groups, 1, 1}, sizeof steps->groups);
     }
