@@ -178,6 +178,41 @@ static void images_beyond_the_device_are_refused(void **state)
     assert_null(frame.position);
 }
 
+/* A device may end a shader that goes around its loops too often, and no pipeline says so. */
+static void as_many_lights_as_there_may_be_are_all_counted(void **state)
+{
+    enum { MOST = 20000 };
+    fixture f;
+    fixture_make(&f);
+    if (!*state)
+        skip();
+    static render_area_light lights[MOST / 2 + 1];
+    for (int i = 0; i <= MOST / 2; i++)
+        lights[i] = f.area;
+    f.scene.has_spot = false;
+    f.scene.area_lights = lights;
+    f.scene.area_light_count = MOST / 2;
+    render_frame frame;
+    picture p;
+    render_options options = {.width = 12, .height = 8};
+    make_frame(state, &f, options, &frame);
+    assert_int_equal(frame.light_count, MOST);
+    take(&frame, &p);
+    check_picture(&frame, &p, 7);
+    static float hull[4 * 12 * 8];
+    render_statistics statistics;
+    light_with(&frame, "hull", &statistics, hull);
+    render_comparison comparison;
+    render_compare(p.pixels, hull, p.light, NULL, &comparison);
+    if (!(comparison.rel < 0.2 && fabs(comparison.bias) < 0.02))
+        fail_msg("hull: rel %g, bias %g", comparison.rel, comparison.bias);
+    drop(&p);
+    render_frame_destroy(&frame);
+    f.scene.area_light_count = MOST / 2 + 1;
+    assert_int_equal(render_frame_create(*state, &f.scene, &options, &frame), GPU_UNSUPPORTED);
+    assert_non_null(strstr(gpu_last_error(), "20002 lights, more than 20000"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -188,6 +223,7 @@ int main(void)
         cmocka_unit_test(a_camera_inside_geometry_sees_something),
         cmocka_unit_test(broken_triangles_are_not_there),
         cmocka_unit_test(images_beyond_the_device_are_refused),
+        cmocka_unit_test(as_many_lights_as_there_may_be_are_all_counted),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);
 }

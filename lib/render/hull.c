@@ -41,90 +41,22 @@ void hull_destroy(void *state)
     free(h);
 }
 
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
-/* Rows of pairs of blocks that are upsampled at once, of one more row of samples: all where these
- * find room in bytes. */
-static size_t band_rows(const hull *h, size_t bytes)
-{
-    size_t row = HULL_SAMPLE_BYTES * (size_t)h->push.blocks_x;
-    return row ? least((size_t)h->push.blocks_y + 1, bytes / row - 1) : 0;
-}
-
-/* Storage buffers hold 128 MiB at most; what does not find room is lit exactly. */
-static gpu_status create_buffers(render_frame *frame, hull *h)
-{
-    const size_t most = (size_t)128 << 20;
-    size_t pixels = (size_t)frame->width * frame->height, tiles = h->tiles;
-    size_t vertices = least(pixels / 6 + 4096, most / HULL_VERTEX_BYTES);
-    static const size_t quads_a_tile[HULL_LEVELS] = {HULL_MOST_COMPONENTS, 64, 96, 128};
-    size_t quads = 0;
-    for (int i = 0; i < HULL_LEVELS; i++) {
-        h->push.quad_first[i] = (uint32_t)quads;
-        quads += quads_a_tile[i] * tiles;
-    }
-    h->push.quad_first[HULL_LEVELS] = (uint32_t)quads;
-    h->push.vertex_capacity = (uint32_t)vertices;
-    const size_t bytes[HULL_BUFFERS] = {
-        [HULL_B_CONTROL] = 4 * HULL_CONTROL_WORDS,
-        [HULL_B_ARGUMENTS] = 16,
-        [HULL_B_EXACT] = 4 * pixels,
-        [HULL_B_LINKS] = 16 * HULL_TILE * tiles,
-        [HULL_B_ROW_BOUNDS] = 128 * (HULL_TILE / HULL_ROWS) * tiles,
-        [HULL_B_MASKS] = 4 * HULL_TILE * HULL_MOST_COMPONENTS * tiles,
-        [HULL_B_COMPONENTS] = 8 * HULL_MOST_COMPONENTS * tiles,
-        [HULL_B_MAP] = 4 * pixels,
-        [HULL_B_VERTEX_PIXELS] = 4 * vertices,
-        [HULL_B_VERTICES] = HULL_VERTEX_BYTES * vertices,
-        [HULL_B_QUADS] = 32 * quads,
-        [HULL_B_LEAVES] = 4 * quads,
-        [HULL_B_CORNERS] = least(16 * 3 * 4 * (quads / 2), most),
-        [HULL_B_EVEN_CORNERS] = least(16 * 3 * 4 * (quads / 2), most),
-        [HULL_B_SAMPLES] = 8 * 32 * HULL_MEAN_ROWS,
-        [HULL_B_BLOCK_BOUNDS] = 32 * (size_t)h->blocks,
-        [HULL_B_TILE_LISTS] = 4 * (HULL_MOST_TILE + 1) * tiles,
-        [HULL_B_NEAR_LISTS] = 4 * (HULL_MOST_NEAR + 1) * (size_t)h->blocks,
-        [HULL_B_NEAR_BLOCKS] = 4 * (size_t)h->blocks,
-        [HULL_B_FAR_SAMPLES] =
-            HULL_SAMPLE_BYTES * (size_t)h->push.blocks_x * (band_rows(h, most) + 1),
-        [HULL_B_TREE] = sizeof(light_node) * (2 * (size_t)frame->light_count + 1),
-    };
-    static const bool upsamples[HULL_BUFFERS] = {
-        [HULL_B_CONTROL] = true,     [HULL_B_ARGUMENTS] = true,  [HULL_B_EXACT] = true,
-        [HULL_B_ROW_BOUNDS] = true,  [HULL_B_SAMPLES] = true,    [HULL_B_BLOCK_BOUNDS] = true,
-        [HULL_B_TILE_LISTS] = true,  [HULL_B_NEAR_LISTS] = true, [HULL_B_NEAR_BLOCKS] = true,
-        [HULL_B_FAR_SAMPLES] = true, [HULL_B_TREE] = true,
-    };
-    for (int i = 0; i < HULL_BUFFERS; i++) {
-        if (h->kind == HULL_UPSAMPLE && !upsamples[i])
-            continue;
-        gpu_status status = gpu_buffer_create(frame->device, bytes[i], &h->buffers[i]);
-        if (status != GPU_OK)
-            return status;
-    }
-    uint32_t rows = (2 * frame->light_count + LIGHT_NODES_ACROSS) / LIGHT_NODES_ACROSS;
-    return gpu_image_create(frame->device, GPU_RGBA32U, LIGHT_NODE_TEXELS * LIGHT_NODES_ACROSS,
-                            rows, &h->tree);
-}
-
 static gpu_status create_passes(render_frame *frame, hull *h)
 {
     static const hull_pass shared[] = {HULL_TREE_IMAGE, HULL_MEAN_SAMPLES, HULL_MEAN_SUM,
                                        HULL_NEXT,       HULL_CULL_TILE,    HULL_CULL,
                                        HULL_NEAR,       HULL_EXACT};
-    static const hull_pass moments[] = {HULL_LINKS,  HULL_COMPONENTS, HULL_CLAIM,
-                                        HULL_GATHER, HULL_SPLIT,      HULL_EMIT};
+    static const hull_pass moments[] = {HULL_LINKS, HULL_COMPONENTS, HULL_CLAIM, HULL_GATHER,
+                                        HULL_SPLIT, HULL_PART,       HULL_EMIT};
     static const hull_pass lobes[] = {HULL_LINKS,        HULL_COMPONENTS,  HULL_CLAIM,
-                                      HULL_GATHER_LOBES, HULL_SPLIT_LOBES, HULL_EMIT};
+                                      HULL_GATHER_LOBES, HULL_SPLIT_LOBES, HULL_PART,
+                                      HULL_EMIT};
     const hull_pass upsample[] = {HULL_BOUNDS, h->push.tau > 0 ? HULL_GATHER_FAR : HULL_GATHER_ALL,
                                   HULL_UPSAMPLE_FAR};
     const hull_pass *own = h->kind == HULL_UPSAMPLE ? upsample
                            : h->kind == HULL_LOBES  ? lobes
                                                     : moments;
-    int own_count = h->kind == HULL_UPSAMPLE ? 3 : 6;
+    int own_count = h->kind == HULL_UPSAMPLE ? 3 : 7;
     gpu_status status = GPU_OK;
     for (int i = 0; status == GPU_OK && i < 8; i++)
         status = hull_create_pass(frame, h, shared[i]);
@@ -165,7 +97,7 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
         h->push.blocks_x = (frame->width + settings->factor - 1) / settings->factor;
         h->push.blocks_y = (frame->height + settings->factor - 1) / settings->factor;
     }
-    gpu_status status = create_buffers(frame, h);
+    gpu_status status = hull_create_buffers(frame, h, settings);
     if (status == GPU_OK)
         status = create_passes(frame, h);
     if (status == GPU_OK)
@@ -200,9 +132,13 @@ static void add_hull(hull_list *l)
                           HULL_GATHER_GROUPS);
         hull_add_indirect(l, "split", lobes ? HULL_SPLIT_LOBES : HULL_SPLIT, level,
                           HULL_SPLIT_GROUPS);
+        hull_add(l, "next", HULL_NEXT, level);
+        hull_add_indirect(l, "split", HULL_PART, level, HULL_SPLIT_GROUPS);
     }
     hull_add(l, "next", HULL_NEXT, HULL_LEVELS);
-    hull_add_indirect(l, "emit", HULL_EMIT, 0, HULL_LEAF_GROUPS);
+    hull_add_indirect(l, "emit", HULL_EMIT, HULL_LEVELS, HULL_LEAF_GROUPS);
+    hull_add(l, "next", HULL_NEXT, HULL_LEVELS + 1);
+    hull_add_indirect(l, "emit", HULL_EMIT, HULL_LEVELS + 1, HULL_PLAIN_GROUPS);
     hull_add_draw(l);
 }
 
@@ -257,7 +193,7 @@ gpu_status hull_run(render_frame *frame, void *state, render_statistics *statist
     hull *h = state;
     build_tree(frame, h, statistics);
     hull_list l = {.frame = frame, .h = h};
-    for (uint32_t i = 0; i <= HULL_LEVELS; i++) {
+    for (uint32_t i = 0; i <= HULL_LEVELS + 1; i++) {
         l.pushes[i] = h->push;
         l.pushes[i].level = i;
     }

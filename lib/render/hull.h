@@ -9,6 +9,7 @@ enum {
     HULL_TILE = 32,
     HULL_ROWS = 4, /* of a tile that are read together, ROWS of shaders/hull/hull.glsl */
     HULL_LEVELS = 4,
+    HULL_RANKS = 16,           /* RANKS of shaders/hull/hull.glsl */
     HULL_MOST_COMPONENTS = 64, /* in a tile */
     HULL_BLOCK = 8,
     HULL_MOST_NEAR = 64,
@@ -34,6 +35,9 @@ typedef struct hull_settings {
     float plane, power, least;         /* of upsampling, see shaders/upsample/sample.glsl */
     float merge; /* error of one light that stands for many, over the mean irradiance, at most;
                     0: there is no tree, every light is tested and gathered by itself */
+    /* 0, or at most so many, of as many as find room: vertices, quads made by splitting at each
+       level, corners of triangles */
+    uint32_t most_vertices, most_quads, most_corners;
 } hull_settings;
 
 extern const hull_settings hull_standard, hull_lobe_standard; /* of the pipelines */

@@ -7,7 +7,7 @@
 
 /* Push of shaders/hull/hull.glsl. */
 typedef struct hull_push {
-    uint32_t tiles_x, tiles_y, level, vertex_capacity;
+    uint32_t tiles_x, tiles_y, level, vertex_capacity, corner_capacity;
     uint32_t quad_first[HULL_LEVELS + 1];
     float link_plane, link_cosine, split, tau, tau_width, near_pixels;
     uint32_t factor, blocks_x, blocks_y;
@@ -33,7 +33,8 @@ enum {
     HULL_GATHER_END,
     HULL_QUAD_COUNT,
     HULL_MEAN = HULL_QUAD_COUNT + 5,
-    HULL_CONTROL_WORDS
+    HULL_PLAIN_GROUPS = HULL_MEAN + 1 + 2 * HULL_RANKS + 1,
+    HULL_CONTROL_WORDS = HULL_PLAIN_GROUPS + 3
 };
 
 typedef enum hull_pass {
@@ -46,6 +47,7 @@ typedef enum hull_pass {
     HULL_NEXT,
     HULL_GATHER,
     HULL_SPLIT,
+    HULL_PART,
     HULL_EMIT,
     HULL_CULL_TILE,
     HULL_CULL,
@@ -100,10 +102,13 @@ typedef struct hull {
 typedef struct hull_list {
     const render_frame *frame;
     const hull *h;
-    hull_push pushes[HULL_LEVELS + 1]; /* by level */
-    gpu_step steps[48];
+    hull_push pushes[HULL_LEVELS + 2]; /* by level */
+    gpu_step steps[64];
     int count;
 } hull_list;
+
+/* hull_buffers.c: and the tree's image; sets the sizes in h->push */
+gpu_status hull_create_buffers(render_frame *frame, hull *h, const hull_settings *settings);
 
 /* hull_passes.c */
 gpu_status hull_create_pass(render_frame *frame, hull *h, hull_pass pass);

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // claim.comp: vertices for the new quads of a level: an invocation for the centre and for each
-// corner.
+// corner. Components whose vertices find no room are left to be lit exactly.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 #include "control.glsl"
@@ -18,7 +18,7 @@ layout(set = 0, binding = 3, std430) readonly buffer Masks
 };
 layout(set = 0, binding = 4, std430) buffer Map
 {
-    uint map[]; // a pixel: 0 no vertex, NONE one without a place, else 1 more than its place
+    uint map[]; // a pixel: 0 no vertex, else 1 more than its place in the list
 };
 layout(set = 0, binding = 5, std430) writeonly buffer VertexPixels
 {
@@ -29,7 +29,29 @@ layout(set = 0, binding = 6, std430) buffer Quads
     Quad quads[];
 };
 
+layout(set = 0, binding = 7, std430) buffer Arguments
+{
+    uint exact_groups[3];
+    uint exact_count;
+};
+layout(set = 0, binding = 8, std430) writeonly buffer Exact
+{
+    uint exact_pixels[];
+};
+
 #include "member.glsl"
+
+// The pixels of a component, to be lit exactly.
+void leave_to_exact(uint component)
+{
+    ivec2 tile = tile_origin(component);
+    for (uint y = 0u; y < uint(TILE); y++)
+        for (uint m = masks[component * uint(TILE) + y]; m != 0u; m &= m - 1u) {
+            uint slot = atomicAdd(exact_count, 1u) - 1u;
+            exact_pixels[slot] = (uint(tile.y) + y) * view.size.x + uint(tile.x + findLSB(m));
+            atomicMax(exact_groups[0], slot / 64u + 1u);
+        }
+}
 
 void main()
 {
@@ -38,10 +60,15 @@ void main()
         return;
     index += quad_first[level];
     uint component = quads[index].component, corner = which - 1u;
-    if (component == NONE)
+    if (level == 0u && unpack_rank(quads[index].size) < least_rank) {
+        if (which == 0u) {
+            leave_to_exact(component);
+            quads[index].component = NONE;
+        }
         return;
+    }
     ivec2 p = unpack_pixel(quads[index].origin) - tile_origin(component);
-    ivec2 size = unpack_pixel(quads[index].size);
+    ivec2 size = unpack_size(quads[index].size);
     // a component that is short in one direction needs no more than one vertex across
     bvec2 one = lessThanEqual(size, ivec2(level == 0u ? ONE_VERTEX : 0));
     ivec2 place = size * ivec2(corner & 1u, corner >> 1);

@@ -125,7 +125,9 @@ void main()
             ivec2 low = ivec2(findLSB(columns), first) / STEP * STEP;
             ivec2 high = ivec2(findMSB(columns), last) / STEP * STEP + STEP;
             quads[at].origin = pack_pixel(origin + low);
-            quads[at].size = pack_pixel(high - low);
+            uint rank = uint(findMSB(pixels)); // of small ones are the pixels lit exactly
+            quads[at].size = pack_pixel(high - low) | rank << 8;
+            atomicAdd(wanted_vertices[rank], 5u);
         }
     }
     for (uint i = count; i < MOST_COMPONENTS; i++)

@@ -15,6 +15,11 @@ layout(set = 0, binding = CONTROL_BINDING, std430) buffer Control
     uint gather_first, gather_end; // the vertices that the next gathering is for
     uint quad_count[5];            // by level
     float mean;                    // of the irradiance over the image, estimated
+    // Room in a list goes to those of the highest rank, and to all of a rank or to none, so that it
+    // does not depend on the order in which they come.
+    uint wanted_quads[16], wanted_vertices[16]; // by rank, at most as many will be made
+    uint least_rank;                            // that finds room
+    uint plain_groups[3];                       // of emit.comp, where its fans found no room
 };
 
 #endif

@@ -3,7 +3,8 @@
 // emit.comp: the triangles of every leaf: a fan around its centre, whose rim takes in the vertices
 // that smaller neighbours have on it, so that no seam opens between quads of different size. Where a
 // component has one normal all over its quads go to a list of their own: even.vert integrates
-// for it at the vertices.
+// for it at the vertices. Where the fans of all leaves found no room, the pass runs again and makes two
+// triangles of each, which always do.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 #include "control.glsl"
@@ -34,17 +35,7 @@ layout(set = 0, binding = 7, std430) writeonly buffer Corners
 {
     uvec4 corners[]; // vertex, pixel, component, its centre; three of them a triangle
 };
-layout(set = 0, binding = 8, std430) buffer Arguments
-{
-    uint exact_groups[3];
-    uint exact_count;
-};
-layout(set = 0, binding = 9, std430) writeonly buffer Exact
-{
-    uint exact_pixels[];
-};
-
-layout(set = 0, binding = 10, std430) writeonly buffer EvenCorners
+layout(set = 0, binding = 8, std430) writeonly buffer EvenCorners
 {
     uvec4 even_corners[];
 };
@@ -71,19 +62,6 @@ void write_corner(bool even, uint at, uvec3 corner, uint centre)
         corners[at] = uvec4(corner, centre);
 }
 
-// The pixels of a quad that could not be made, to be lit exactly.
-void leave_to_exact(Quad q, ivec2 p, ivec2 tile)
-{
-    ivec2 size = unpack_pixel(q.size);
-    uint columns = (NONE >> (TILE - size.x)) << p.x;
-    for (int y = p.y; y < p.y + size.y; y++)
-        for (uint m = masks[q.component * uint(TILE) + uint(y)] & columns; m != 0u; m &= m - 1u) {
-            uint slot = atomicAdd(exact_count, 1u) - 1u;
-            exact_pixels[slot] = uint(tile.y + y) * view.size.x + uint(tile.x + findLSB(m));
-            atomicMax(exact_groups[0], slot / 64u + 1u);
-        }
-}
-
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
@@ -91,15 +69,12 @@ void main()
         return;
     Quad q = quads[leaves[index]];
     bool flat_quad = (q.size & FLAT_BIT) != 0u;
-    q.size &= ~FLAT_BIT;
-    ivec2 size = unpack_pixel(q.size);
+    ivec2 size = unpack_size(q.size);
     ivec2 tile = tile_origin(q.component), p = unpack_pixel(q.origin) - tile;
     uint centre = vertex_slot(q.centre), slots[4];
-    bool whole = centre != NONE;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; i++)
         slots[i] = vertex_slot(q.corners[i]);
-        whole = whole && slots[i] != NONE;
-    }
+    bool plain = level > LEVELS; // the second time
 
     // the rim, clockwise from the left top corner
     uint rim[4 * MOST_STEPS], at[4 * MOST_STEPS];
@@ -113,10 +88,8 @@ void main()
             uint slot = slots[side == 2 ? 3 : side == 3 ? 2 : side];
             if (i > 0) {
                 slot = NONE;
-                if (all(lessThan(pixel, ivec2(view.size.xy))) && is_member(q.component, r)) {
-                    uint mapped = map[map_index(pack_pixel(pixel))];
-                    slot = mapped == 0u || mapped == NONE ? NONE : mapped - 1u;
-                }
+                if (!plain && all(lessThan(pixel, ivec2(view.size.xy))) && is_member(q.component, r))
+                    slot = vertex_slot(pack_pixel(pixel)); // NONE where there is no vertex
             }
             if (i == 0 || slot != NONE) {
                 rim[count] = slot;
@@ -124,14 +97,12 @@ void main()
             }
         }
     }
-    bool two = count == 4u && flat_quad; // triangles are enough
+    bool two = plain || (count == 4u && flat_quad); // triangles are enough
     bool even = has_even != 0u && is_even(q.component);
-    uint needed = whole ? two ? 6u : 3u * count : 0u;
+    uint needed = two ? 6u : 3u * count;
     uint first = even ? atomicAdd(even_vertices, needed) : atomicAdd(draw_vertices, needed);
-    if (!whole || first + 3u * count > uint(corners.length())) {
-        leave_to_exact(q, p, tile);
-        return;
-    }
+    if (first + needed > corner_capacity)
+        return; // next.comp sees it
     uint middle = pack_pixel(tile + p + size / 2);
     if (two) {
         for (uint i = 0u; i < 6u; i++) {

@@ -15,15 +15,16 @@ const uint SMALL_COMPONENT = 1u;  // as many pixels or fewer are lit exactly
 const uint LEVELS = 4u;           // how often quads are split, at most, plus 1
 const int STEP = 4;               // pixels; sides of quads are multiples of it
 const int ONE_VERTEX = 8;         // components no longer than this have one vertex along it
-const float FLAT = 0.1;           // with an error below this, of that which splits it, a quad does
+const float FLAT = 0.05;           // with an error below this, of that which splits it, a quad does
 const uint FLAT_BIT = 0x8000u;    // without its centre; noted in its size
+const uint RANKS = 16u;           // by which is chosen what finds room, see share_room
 const uint NONE = 0xffffffffu;
 
 layout(push_constant) uniform Push
 {
     uint tiles_x, tiles_y;
     uint level;           // of the quads that are split next; LEVELS: there are no more
-    uint vertex_capacity;
+    uint vertex_capacity, corner_capacity;
     uint quad_first[5];   // of each level in the list of quads, and past the last one
     float link_plane;     // how far from its neighbour's plane a pixel may be, over its depth
     float link_cosine;    // of their normals, at least
@@ -40,9 +41,9 @@ layout(push_constant) uniform Push
 };
 
 struct Quad {
-    uint component;
+    uint component; // NONE: lit exactly
     uint origin;   // x + y * 65536: its first pixel
-    uint size;     // width + height * 65536
+    uint size;     // width + 256 rank + height * 65536 + 2^24 (which of its four parts to make)
     uint centre;   // pixels, x + y * 65536
     uvec4 corners; // left top, right top, left bottom, right bottom
 };
@@ -55,6 +56,16 @@ uint pack_pixel(ivec2 p)
 ivec2 unpack_pixel(uint p)
 {
     return ivec2(p & 0xffffu, p >> 16);
+}
+
+ivec2 unpack_size(uint size)
+{
+    return ivec2(size & 0x3fu, size >> 16 & 0x3fu);
+}
+
+uint unpack_rank(uint size)
+{
+    return size >> 8 & 0xfu;
 }
 
 // Where a component's tile begins.

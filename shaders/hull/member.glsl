@@ -62,11 +62,10 @@ uint map_index(uint pixel)
     return (pixel >> 16) * view.size.x + (pixel & 0xffffu);
 }
 
-// Place of a vertex in the list; NONE where it has none.
+// Place of a vertex in the list; NONE where there is none.
 uint vertex_slot(uint pixel)
 {
-    uint mapped = map[map_index(pixel)];
-    return mapped == NONE ? NONE : mapped - 1u;
+    return map[map_index(pixel)] - 1u;
 }
 
 #ifndef MEMBER_READ_ONLY
@@ -76,11 +75,9 @@ uint claim_vertex(uint component, ivec2 p)
     uint pixel = pack_pixel(tile_origin(component) + nearest_member(component, p));
     uint at = map_index(pixel);
     if (map[at] == 0u && atomicCompSwap(map[at], 0u, NONE) == 0u) {
-        uint slot = atomicAdd(vertex_count, 1u);
-        if (slot < vertex_capacity) {
-            vertex_pixels[slot] = pixel;
-            map[at] = slot + 1u;
-        }
+        uint slot = atomicAdd(vertex_count, 1u); // there is room: see share_room in next.comp
+        vertex_pixels[slot] = pixel;
+        map[at] = slot + 1u;
     }
     return pixel;
 }

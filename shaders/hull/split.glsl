@@ -1,5 +1,6 @@
-// split.glsl: splits quads of a level whose corners do not predict their centre; the others are
-// leaves. The error is that of four corners; with the centre a leaf keeps about a quarter of it.
+// split.glsl: which quads of a level are to be split: those whose corners do not predict their centre.
+// The error is that of four corners; with the centre a leaf keeps about a quarter of it. It is
+// also a quad's rank, should there be no room for the parts of all (part.comp).
 #include "../common/frame.glsl"
 #include "hull.glsl"
 #include "control.glsl"
@@ -27,21 +28,16 @@ layout(set = 0, binding = 6, std430) readonly buffer Vertices
 {
     Vertex vertices[];
 };
-layout(set = 0, binding = 7, std430) writeonly buffer Leaves
-{
-    uint leaves[];
-};
-layout(set = 0, binding = 8) uniform sampler2D position_image;
-layout(set = 0, binding = 9) uniform usampler2D normal_image;
+layout(set = 0, binding = 7) uniform sampler2D position_image;
+layout(set = 0, binding = 8) uniform usampler2D normal_image;
 
 #define MEMBER_READ_ONLY
 #include "member.glsl"
 
+const float STEEP = 1.0; // see change_across
+
 float split_error(Quad q)
 {
-    uint centre = vertex_slot(q.centre);
-    if (centre == NONE)
-        return 0.0;
     ivec2 pixel = unpack_pixel(q.centre);
     vec3 x = texelFetch(position_image, pixel, 0).xyz;
     uvec2 normals = texelFetch(normal_image, pixel, 0).xy;
@@ -49,13 +45,35 @@ float split_error(Quad q)
     n = dot(n, face) > 0.97 ? n : face;
     Vertex middle = vertex_zero();
     for (int i = 0; i < 4; i++) {
-        uint corner = vertex_slot(q.corners[i]);
-        if (corner == NONE)
-            return 0.0;
-        vertex_add(middle, 0.25, vertices[corner]);
+        vertex_add(middle, 0.25, vertices[vertex_slot(q.corners[i])]);
     }
-    vec3 error = vertex_irradiance(vertices[centre], x, n) - vertex_irradiance(middle, x, n);
+    vec3 error = vertex_irradiance(vertices[vertex_slot(q.centre)], x, n) - vertex_irradiance(middle, x, n);
     return length(error) * inversesqrt(3.0);
+}
+
+// How much the light changes, by the gradient at the centre, from one end to the other of the row of
+// the component that the centre is in; down: of its column.
+float change_across(Quad q, bool down)
+{
+    ivec2 tile = tile_origin(q.component), centre = unpack_pixel(q.centre) - tile;
+    int first = TILE, last = 0;
+    if (down) {
+        for (int y = 0; y < TILE; y++)
+            if (bit(masks[q.component * uint(TILE) + uint(y)], centre.x)) {
+                first = min(first, y);
+                last = y;
+            }
+    } else {
+        uint row = masks[q.component * uint(TILE) + uint(centre.y)];
+        first = findLSB(row);
+        last = findMSB(row);
+    }
+    ivec2 a = tile + (down ? ivec2(centre.x, first) : ivec2(first, centre.y));
+    ivec2 b = tile + (down ? ivec2(centre.x, last) : ivec2(last, centre.y));
+    vec3 d = texelFetch(position_image, b, 0).xyz - texelFetch(position_image, a, 0).xyz;
+    Vertex v = vertices[vertex_slot(q.centre)];
+    vec3 change = vec3(dot(v.gradient0.xyz, d), dot(v.gradient1.xyz, d), dot(v.gradient2.xyz, d));
+    return length(change) * inversesqrt(3.0);
 }
 
 void main()
@@ -67,36 +85,28 @@ void main()
     Quad q = quads[index];
     if (q.component == NONE)
         return;
-    ivec2 size = unpack_pixel(q.size), p = unpack_pixel(q.origin) - tile_origin(q.component);
+    ivec2 size = unpack_size(q.size), p = unpack_pixel(q.origin) - tile_origin(q.component);
     ivec2 first = (size / 2 + STEP - 1) / STEP * STEP; // of the two parts, across and down
-    uint children = 0u, count = 0u, at = 0u;
-    float error = split_error(q);
-    if (error < FLAT * split * mean)
-        quads[index].size |= FLAT_BIT;
-    if (level + 1u < LEVELS && error > split * mean) {
+    float error = split_error(q), most = split * mean;
+    // with one vertex across nothing is known of the other places there but the gradient
+    if (level == 0u && size.x <= ONE_VERTEX && size.x > STEP)
+        error = max(error, STEEP * change_across(q, false));
+    if (level == 0u && size.y <= ONE_VERTEX && size.y > STEP)
+        error = max(error, STEEP * change_across(q, true));
+    uint children = 0u, rank = 0u;
+    if (level + 1u < LEVELS && error > most && size != first) { // else too small for parts
         for (int i = 0; i < 4; i++) {
             ivec2 part = ivec2(i & 1, i >> 1), extent = mix(first, size - first, equal(part, ivec2(1)));
             if (all(greaterThan(extent, ivec2(0)))
                 && has_members(q.component, p + part * first, extent))
                 children |= 1u << i;
         }
-        children = size == first ? 0u : children; // too small for parts
-        count = uint(bitCount(children));
-        at = atomicAdd(quad_count[level + 1u], count);
-        at += quad_first[level + 1u];
-        if (at + count > quad_first[level + 2u]) { // no room: it stays as it is
-            for (; at < quad_first[level + 2u]; at++)
-                quads[at].component = NONE;
-            children = 0u;
-        }
+        // at most a centre and four corners each; four parts share some, and with their quad
+        uint count = uint(bitCount(children));
+        rank = uint(min(2.0 * log2(error / most), float(RANKS - 1u)));
+        atomicAdd(wanted_quads[rank], count);
+        atomicAdd(wanted_vertices[rank], count == 4u ? 9u : 5u * count);
     }
-    if (children == 0u)
-        leaves[atomicAdd(leaf_count, 1u)] = index;
-    for (int i = 0; i < 4; i++)
-        if (bit(children, i)) {
-            ivec2 part = ivec2(i & 1, i >> 1);
-            quads[at].component = q.component;
-            quads[at].origin = pack_pixel(unpack_pixel(q.origin) + part * first);
-            quads[at++].size = pack_pixel(mix(first, size - first, equal(part, ivec2(1))));
-        }
+    quads[index].size = pack_pixel(size) | (error < FLAT * most ? FLAT_BIT : 0u) | rank << 8
+        | children << 24;
 }
