@@ -35,10 +35,11 @@ void main()
     vec4 place = texelFetch(position_image, pixel, 0);
     vec3 n = unpack_normal(texelFetch(normal_image, pixel, 0).x), irradiance = vec3(0.0);
     for (uint at = inside ? 0u : nodes_end; at < nodes_end;) {
-        uint count = find_lights(at, place.xyz, place.w, mean, done);
-        done += count;
-        for (uint i = 0u; i < count; i++) {
-            Light l = node_light(found[i]);
+        uint others;
+        uint count = find_lights(at, place.xyz, place.w, mean, done, others);
+        done += count + others;
+        for (uint i = 0u; i < count + others; i++) {
+            Light l = node_light(found[found_place(i, count)]);
             irradiance += light_exitance(l) * form_factor(l, place.xyz, n);
         }
     }

@@ -25,6 +25,21 @@ layout(set = 0, binding = 7, std430) writeonly buffer Vertices
     Vertex vertices[];
 };
 
+// Takes the share far of a light of exitance e into the vertex, and into the irradiance at its normal.
+void take(inout Vertex v, inout vec3 exact, vec3 e, float far, float form_factor, vec3 gradient,
+          Moments m, Fourth f)
+{
+    exact += e * (far * form_factor);
+#ifdef VERTEX_LOBES
+    vertex_take(v, e, far, m);
+#else
+    vertex_take(v, e, far, m, f);
+#endif
+    v.gradient0.xyz += e.r * gradient;
+    v.gradient1.xyz += e.g * gradient;
+    v.gradient2.xyz += e.b * gradient;
+}
+
 void main()
 {
     uint slot = gather_first + gl_GlobalInvocationID.x, done = 0u;
@@ -39,29 +54,28 @@ void main()
     Vertex v = vertex_zero();
     vec3 exact = vec3(0.0);
     for (uint at = inside ? 0u : nodes_end; at < nodes_end;) {
-        uint count = find_lights(at, x, place.w, mean, done);
-        done += count;
+        uint others;
+        uint count = find_lights(at, x, place.w, mean, done, others);
+        done += count + others;
         for (uint i = 0u; i < count; i++) {
             Light l = node_light(found[i]);
+            FarLight s = far_light(l, x, n);
+            take(v, exact, light_exitance(l), 1.0, s.form_factor, s.gradient, s.moments, s.fourth);
+        }
+        for (uint i = 0u; i < others; i++) {
+            uint which = found[MOST_FOUND - 1u - i];
+            Light l = node_light(which);
             vec3 window_gradient;
             float far = 1.0 - near_weight(l, x, place.w, mean, window_gradient);
-            if (!is_leaf(found[i])) { // what stands for many is far
+            if (!is_leaf(which)) { // what stands for many is far
                 far = 1.0;
                 window_gradient = vec3(0.0);
             }
             far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
             float f = form_factor(l, x, n);
-            vec3 g = far * form_factor_gradient(l, x, n) - f * window_gradient;
-            vec3 e = light_exitance(l);
-            exact += e * (far * f);
-#ifdef VERTEX_LOBES
-            vertex_take(v, e, far, light_moments(l, x));
-#else
-            vertex_take(v, e, far, light_moments(l, x), light_fourth(l, x));
-#endif
-            v.gradient0.xyz += e.r * g;
-            v.gradient1.xyz += e.g * g;
-            v.gradient2.xyz += e.b * g;
+            FarLight s = far_light(l, x, n);
+            take(v, exact, light_exitance(l), far, f, far * s.gradient - f * window_gradient,
+                 light_moments(l, x), s.fourth);
         }
     }
     vertex_finish(v, x);

@@ -72,41 +72,52 @@ Moments light_moments(Light l, vec3 x)
     return m;
 }
 
-// Its integrals of the harmonics of order 4, weighted for fourth_order below, by three points on the
-// triangle: enough for light that is far.
-Fourth light_fourth(Light l, vec3 x)
+// What a light far from x sends there, by three points on its triangle with its area, centre and
+// covariance: errs from the third power of its size over its distance on.
+struct FarLight {
+    Moments moments;
+    Fourth fourth;     // integrals of the harmonics of order 4, weighted for fourth_order above
+    float form_factor; // for normal n
+    vec3 gradient;     // of the form factor over x
+};
+
+FarLight far_light(Light l, vec3 x, vec3 n)
 {
-    Fourth sum = Fourth(vec4(0.0), vec4(0.0), 0.0);
+    FarLight s = FarLight(Moments(0.0, vec3(0.0), vec3(0.0), vec3(0.0)), Fourth(vec4(0.0), vec4(0.0), 0.0),
+                          0.0, vec3(0.0));
     vec3 middle = (l.a.xyz + l.b.xyz + l.c.xyz) / 6.0 - x;
     for (int i = 0; i < 3; i++) {
         vec3 r = middle + 0.5 * (i == 0 ? l.a.xyz : i == 1 ? l.b.xyz : l.c.xyz);
-        float inv = inversesqrt(dot(r, r));
-        Fourth h = harmonics(r * inv);
-        float w = max(-dot(l.plane.xyz, r), 0.0) * inv * inv * inv * l.plane.w / 3.0;
-        sum.a += w * h.a;
-        sum.b += w * h.b;
-        sum.c += w * h.c;
+        float inv2 = 1.0 / dot(r, r), inv = sqrt(inv2);
+        vec3 w = r * inv;
+        float up = max(dot(n, w), 0.0), out_of = max(-dot(l.plane.xyz, w), 0.0);
+        float solid_angle = out_of * inv2;
+        vec3 first = solid_angle * w;
+        s.moments.solid_angle += solid_angle;
+        s.moments.first += first;
+        s.moments.squares += first * w;
+        s.moments.products += first.xxy * w.yzz;
+        Fourth h = harmonics(w);
+        s.fourth.a += solid_angle * h.a;
+        s.fourth.b += solid_angle * h.b;
+        s.fourth.c += solid_angle * h.c;
+        s.form_factor += solid_angle * up;
+        vec3 slope = (4.0 * up * out_of) * w - out_of * n + up * l.plane.xyz;
+        s.gradient += up > 0.0 ? slope * (inv * inv2) : vec3(0.0);
     }
+    float share = l.plane.w / 3.0;
+    s.moments.solid_angle *= share;
+    s.moments.first *= share;
+    s.moments.squares *= share;
+    s.moments.products *= share;
+    s.form_factor *= share / PI;
+    s.gradient *= share / PI;
     // (4 pi / 9) N^2 of each harmonic, times what the cosine leaves of order 4, -3/32 over pi
-    const float k = -3.0 / 32.0 / PI;
-    sum.a *= k * vec4(8.75, 4.375, 1.25, 0.625);
-    sum.b *= k * vec4(0.015625, 0.625, 0.3125, 4.375);
-    sum.c *= k * 0.546875;
-    return sum;
-}
-
-// Gradient over x of the form factor, by three points on the triangle: exact far from it.
-vec3 form_factor_gradient(Light l, vec3 x, vec3 n)
-{
-    vec3 sum = vec3(0.0), middle = (l.a.xyz + l.b.xyz + l.c.xyz) / 6.0 - x;
-    for (int i = 0; i < 3; i++) {
-        vec3 r = middle + 0.5 * (i == 0 ? l.a.xyz : i == 1 ? l.b.xyz : l.c.xyz);
-        float inv2 = 1.0 / dot(r, r);
-        float up = max(dot(n, r), 0.0), out_of = max(-dot(l.plane.xyz, r), 0.0);
-        vec3 slope = (4.0 * up * out_of * inv2) * r - out_of * n + up * l.plane.xyz;
-        sum += up > 0.0 ? slope * (inv2 * inv2) : vec3(0.0);
-    }
-    return sum * (l.plane.w / (3.0 * PI));
+    float k = -3.0 / 32.0 / PI * share;
+    s.fourth.a *= k * vec4(8.75, 4.375, 1.25, 0.625);
+    s.fourth.b *= k * vec4(0.015625, 0.625, 0.3125, 4.375);
+    s.fourth.c *= k * 0.546875;
+    return s;
 }
 
 #endif

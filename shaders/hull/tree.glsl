@@ -10,6 +10,7 @@
 #include "../common/lights.glsl"
 #include "window.glsl"
 
+const float THREE_POINTS = 0.25; // radius over distance of a light that is integrated by three points, at most
 const uint NODES_ACROSS = 256u; // in a row of their image, 8 texels each
 
 struct Node {
@@ -90,15 +91,19 @@ float node_near_error(Node node, float d, float depth, float mean_irradiance)
 }
 
 // Is it far enough from x to be taken for one light: no light below is near, and the triangle
-// errs by no more than a share merge of the mean irradiance.
-bool is_one_light(Node node, vec3 x, float depth, float mean_irradiance)
+// errs by no more than a share merge of the mean irradiance. all_far: no light below is near to any degree, and three
+// points on the triangle are enough.
+bool is_one_light(Node node, vec3 x, float depth, float mean_irradiance, out bool all_far)
 {
     float d2;
     float error = stand_error(node, x, d2) * node.axis.w / (PI * d2);
     bool good = error <= merge * mean_irradiance;
+    all_far = node.middle.w * node.middle.w < THREE_POINTS * THREE_POINTS * d2;
     if (tau > 0.0) {
         float d = max(sqrt(d2) - node.reach, 1e-6);
-        good = good && window_place(node_near_error(node, d, depth, mean_irradiance)) <= 0.0;
+        bool none_near = window_place(node_near_error(node, d, depth, mean_irradiance)) <= 0.0;
+        good = good && none_near;
+        all_far = all_far && none_near;
     }
     return good || node.leaf;
 }
@@ -108,20 +113,32 @@ const uint MOST_FOUND = 32u;
 uint found[MOST_FOUND];
 
 // The next nodes that stand for far lights, or are lights, at x; how many. at: 0 at first; nodes_end
-// when there are no more. tested: grows by the nodes that were tested.
-uint find_lights(inout uint at, vec3 x, float depth, float mean_irradiance, inout uint tested)
+// when there are no more. tested: grows by the nodes that were tested. others: of how many more, kept at the
+// end of found from the last one on, any part may be near or three points are too few.
+uint find_lights(inout uint at, vec3 x, float depth, float mean_irradiance, inout uint tested,
+                 out uint others)
 {
     uint count = 0u;
-    while (at < nodes_end && count < MOST_FOUND) {
+    others = 0u;
+    while (at < nodes_end && count + others < MOST_FOUND) {
         Node node = read_node(at);
-        bool take = is_one_light(node, x, depth, mean_irradiance);
-        found[count] = at;
+        bool all_far;
+        bool take = is_one_light(node, x, depth, mean_irradiance, all_far);
         bool behind = is_behind(node, x);
+        found[all_far ? count : MOST_FOUND - 1u - others] = at;
         tested += node.leaf && !behind ? 0u : 1u; // the others are evaluated, and counted then
-        count += take && !behind ? 1u : 0u;
+        bool keep = take && !behind;
+        count += keep && all_far ? 1u : 0u;
+        others += keep && !all_far ? 1u : 0u;
         at = take || behind ? node.skip : at + 1u;
     }
     return count;
+}
+
+// Where the i-th of them all is kept.
+uint found_place(uint i, uint count)
+{
+    return i < count ? i : MOST_FOUND - 1u - (i - count);
 }
 
 #endif

@@ -33,14 +33,16 @@ void main()
     Point p = points[i];
     vec3 sum = vec3(0.0);
     for (uint at = 0u; at < nodes_end;) {
-        uint count = find_lights(at, p.place.xyz, p.place.w, p.normal.w, tested);
-        for (uint j = 0u; j < count; j++) {
-            Light l = node_light(found[j]);
+        uint others;
+        uint count = find_lights(at, p.place.xyz, p.place.w, p.normal.w, tested, others);
+        for (uint j = 0u; j < count + others; j++) {
+            uint which = found[found_place(j, count)];
+            Light l = node_light(which);
             vec3 gradient;
             float near = near_weight(l, p.place.xyz, p.place.w, p.normal.w, gradient);
-            near = is_leaf(found[j]) ? near : 0.0;
+            near = is_leaf(which) ? near : 0.0;
             sum += (1.0 - near) * form_factor(l, p.place.xyz, p.normal.xyz) * light_exitance(l);
-            taken[i * (nodes_end + 1u) + ++listed] = found[j];
+            taken[i * (nodes_end + 1u) + ++listed] = which;
         }
     }
     taken[i * (nodes_end + 1u)] = listed;

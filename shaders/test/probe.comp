@@ -41,6 +41,6 @@ void main()
     results[i] = Result(vec4(m.first, m.solid_angle),
                         vec4(m.squares, form_factor(l, p.place.xyz, p.normal.xyz)),
                         vec4(m.products, weight),
-                        vec4(form_factor_gradient(l, p.place.xyz, p.normal.xyz), 0.0),
+                        vec4(far_light(l, p.place.xyz, p.normal.xyz).gradient, 0.0),
                         vec4(slope, 0.0));
 }

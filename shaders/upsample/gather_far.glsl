@@ -52,7 +52,9 @@ void main()
         uint count = surface ? min(64u, view.size.z - first) : 0u;
 #else
     for (uint at = surface ? 0u : nodes_end; at < nodes_end;) {
-        uint count = find_lights(at, s.position.xyz, s.position.w, mean, done);
+        uint others;
+        uint far_count = find_lights(at, s.position.xyz, s.position.w, mean, done, others);
+        uint count = far_count + others;
 #endif
         done += count;
         for (uint i = 0u; i < count; i++) {
@@ -60,10 +62,10 @@ void main()
             Light l = staged[i];
             float far = 1.0;
 #else
-            Light l = node_light(found[i]);
+            Light l = node_light(found[found_place(i, far_count)]);
             vec3 gradient;
             float far = 1.0 - near_weight(l, s.position.xyz, s.position.w, mean, gradient);
-            far = is_leaf(found[i]) ? far : 1.0; // what stands for many is far
+            far = is_leaf(found[found_place(i, far_count)]) ? far : 1.0; // what stands for many is far
 #endif
             far = dot(s.position.xyz - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
             vec3 e = far * light_exitance(l);
@@ -78,7 +80,7 @@ void main()
             s.red1 += e.r * m1;
             s.green1 += e.g * m1;
             s.blue1 += e.b * m1;
-            Fourth f = light_fourth(l, s.position.xyz);
+            Fourth f = far_light(l, s.position.xyz, n).fourth;
             float mean_e = (e.r + e.g + e.b) / 3.0;
             s.b += vec4(e * b.z, mean_e * f.c);
             s.fourth_a += mean_e * f.a;
