@@ -53,31 +53,38 @@ void main()
 
     Vertex v = vertex_zero();
     vec3 exact = vec3(0.0);
-    for (uint at = inside ? 0u : nodes_end; at < nodes_end;) {
-        uint others;
-        uint count = find_lights(at, x, place.w, mean, done, others);
-        done += count + others;
-        for (uint i = 0u; i < count; i++) {
-            Light l = node_light(found[i]);
-            FarLight s = far_light(l, x, n);
-            take(v, exact, light_exitance(l), 1.0, s.form_factor, s.gradient, s.moments, s.fourth);
-        }
-        for (uint i = 0u; i < others; i++) {
-            uint which = found[MOST_FOUND - 1u - i];
-            Light l = node_light(which);
-            vec3 window_gradient;
-            float far = 1.0 - near_weight(l, x, place.w, mean, window_gradient);
-            if (!is_leaf(which)) { // what stands for many is far
-                far = 1.0;
-                window_gradient = vec3(0.0);
-            }
-            far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
-            float f = form_factor(l, x, n);
-            FarLight s = far_light(l, x, n);
-            take(v, exact, light_exitance(l), far, f, far * s.gradient - f * window_gradient,
-                 light_moments(l, x), s.fourth);
-        }
-    }
+    uint at = 0u;
+    if (inside && nodes_end > 0u)
+        do {
+            uint others;
+            uint count = find_lights(at, x, place.w, mean, done, others);
+            done += count + others;
+            uint i = 0u;
+            if (count > 0u)
+                do {
+                    Light l = node_light(found[i]);
+                    FarLight s = far_light(l, x, n);
+                    take(v, exact, light_exitance(l), 1.0, s.form_factor, s.gradient, s.moments,
+                         s.fourth);
+                } while (++i < count);
+            i = 0u;
+            if (others > 0u)
+                do {
+                    uint which = found[MOST_FOUND - 1u - i];
+                    Light l = node_light(which);
+                    vec3 window_gradient;
+                    float far = 1.0 - near_weight(l, x, place.w, mean, window_gradient);
+                    if (!is_leaf(which)) { // what stands for many is far
+                        far = 1.0;
+                        window_gradient = vec3(0.0);
+                    }
+                    far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
+                    float f = form_factor(l, x, n);
+                    FarLight s = far_light(l, x, n);
+                    take(v, exact, light_exitance(l), far, f, far * s.gradient - f * window_gradient,
+                         light_moments(l, x), s.fourth);
+                } while (++i < others);
+        } while (at < nodes_end);
     vertex_finish(v, x);
     vertex_local(v, exact - vertex_irradiance(v, x, n));
     if (inside)

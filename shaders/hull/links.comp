@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // links.comp: which neighbouring pixels lie on one surface, as bits: an invocation walks along some
 // rows of a tile, so that it reads few pixels twice. On the way it notes the bounds of each 8 x ROWS
 // pixels for choosing near lights.
@@ -60,7 +61,7 @@ void main()
     ivec2 p = TILE * ivec2(tile % tiles_x, tile / tiles_x) + ivec2(0, ROWS * int(part % uint(PARTS)));
     uvec4 bits[ROWS];
     Pixel before[ROWS];
-    for (int y = 0; y < ROWS; y++) {
+    [[unroll]] for (int y = 0; y < ROWS; y++) {
         bits[y] = uvec4(0u);
         before[y] = Pixel(vec4(0.0), vec3(0.0), 0u);
     }
@@ -76,7 +77,7 @@ void main()
         }
         uint here_bit = x < TILE ? 1u << x : 0u, before_bit = x > 0 ? 1u << (x - 1) : 0u;
         Pixel here = fetch(p + ivec2(x, 0));
-        for (int y = 0; y < ROWS; y++) {
+        [[unroll]] for (int y = 0; y < ROWS; y++) {
             Pixel below = fetch(p + ivec2(x, y + 1));
             bool right = linked(before[y], here), down = linked(here, below);
             bits[y] |= uvec4(here.position.w > 0.0 ? here_bit : 0u, right ? before_bit : 0u,
@@ -91,6 +92,6 @@ void main()
             here = below;
         }
     }
-    for (int y = 0; y < ROWS; y++)
+    [[unroll]] for (int y = 0; y < ROWS; y++)
         links[part * uint(ROWS) + uint(y)] = bits[y];
 }

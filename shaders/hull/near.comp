@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // near.comp: adds the near light to the pixels of the blocks that have any. A group is a block of
 // 8 x 8 pixels, an invocation does 4 x 2 of them: it tests the block's lights against the bounds of
 // its own pixels, then evaluates those that are left, some at a time.
@@ -45,7 +46,7 @@ void main()
     vec3 normals[PIXELS], sums[PIXELS];
     Bounds bounds = Bounds(vec4(3e38, 3e38, 3e38, 0.0), vec4(-3e38));
     uint surfaces = 0u, done = 0u;
-    for (int i = 0; i < PIXELS; i++) {
+    [[unroll]] for (int i = 0; i < PIXELS; i++) {
         ivec2 p = pixel + ivec2(i & 3, i >> 2);
         bool inside = all(lessThan(p, ivec2(view.size.xy)));
         vec4 position = inside ? texelFetch(position_image, p, 0) : vec4(0.0);
@@ -58,28 +59,34 @@ void main()
             surfaces++;
         }
     }
-    end = surfaces > 0u ? end : 0u;
-    for (uint at = 0u; at < end;) {
-        uint count = 0u;
-        for (; at < end && count < MOST_FOUND; done++) {
-            uint which = own ? near_lists[list + 1u + at] : at;
-            Node node = read_node(which);
-            bool near = may_be_near(node, bounds, mean);
-            found[count] = which;
-            count += near && node.leaf ? 1u : 0u;
-            at = own || near ? at + 1u : node.skip;
-        }
-        done += surfaces * count;
-        for (uint j = 0u; j < count; j++) {
-            Light l = node_light(found[j]);
-            for (int i = 0; i < PIXELS; i++) {
-                vec3 gradient;
-                float weight = near_weight(l, positions[i].xyz, positions[i].w, mean, gradient);
-                sums[i] += light_exitance(l) * (weight * form_factor(l, positions[i].xyz, normals[i]));
-            }
-        }
-    }
-    for (int i = 0; i < PIXELS; i++) {
+    // lavapipe ends a loop one round after its last invocation, unless the test comes last
+    uint at = 0u;
+    if (surfaces > 0u && end > 0u)
+        do {
+            uint count = 0u;
+            do {
+                uint which = own ? near_lists[list + 1u + at] : at;
+                Node node = read_node(which);
+                bool near = may_be_near(node, bounds, mean);
+                found[count] = which;
+                count += near && node.leaf ? 1u : 0u;
+                at = own || near ? at + 1u : node.skip;
+                done++;
+            } while (at < end && count < MOST_FOUND);
+            done += surfaces * count;
+            uint j = 0u;
+            if (count > 0u)
+                do {
+                    Light l = node_light(found[j]);
+                    vec3 e = light_exitance(l);
+                    [[unroll]] for (int i = 0; i < PIXELS; i++) {
+                        vec3 x = positions[i].xyz, gradient;
+                        float weight = near_weight(l, x, positions[i].w, mean, gradient);
+                        sums[i] += e * (weight * form_factor(l, x, normals[i]));
+                    }
+                } while (++j < count);
+        } while (at < end);
+    [[unroll]] for (int i = 0; i < PIXELS; i++) {
         ivec2 p = pixel + ivec2(i & 3, i >> 2);
         if (positions[i].w > 0.0) {
             vec4 light = imageLoad(light_image, p);
