@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // exact.comp: the light at the pixels of a list, without a hull: every light that is not too far to
 // be taken together with others.
 #define COUNTERS_BINDING 2
@@ -9,7 +10,7 @@
 #include "../common/counters.glsl"
 #include "hull.glsl"
 #include "control.glsl"
-#include "tree.glsl"
+#include "descent.glsl"
 #include "../common/form_factor.glsl"
 
 layout(local_size_x = 64) in;
@@ -34,12 +35,12 @@ void main()
     ivec2 pixel = ivec2(index % view.size.x, index / view.size.x);
     vec4 place = texelFetch(position_image, pixel, 0);
     vec3 n = unpack_normal(texelFetch(normal_image, pixel, 0).x), irradiance = vec3(0.0);
+    Seeker seekers[1] = {Seeker(place.xyz, place.w, 0u)};
     for (uint at = inside ? 0u : nodes_end; at < nodes_end;) {
-        uint others;
-        uint count = find_lights(at, place.xyz, place.w, mean, done, others);
-        done += count + others;
-        for (uint i = 0u; i < count + others; i++) {
-            Light l = node_light(found[found_place(i, count)]);
+        find_lights(at, seekers, mean, done);
+        done += found_far_count + found_near_count;
+        for (uint i = 0u; i < found_far_count + found_near_count; i++) {
+            Light l = node_light(found_at(i));
             irradiance += light_exitance(l) * form_factor(l, place.xyz, n);
         }
     }

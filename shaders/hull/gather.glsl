@@ -1,5 +1,6 @@
-// gather.glsl: the far light at the new vertices, one invocation a vertex: each finds its lights in
+// gather.glsl: the far light at the new vertices, TOGETHER an invocation: each finds its lights in
 // the tree, some at a time.
+#define TOGETHER 4
 #define COUNTERS_BINDING 2
 #define COUNTERS_SHARED
 #define CONTROL_BINDING 3
@@ -7,12 +8,12 @@
 #include "../common/counters.glsl"
 #include "hull.glsl"
 #include "control.glsl"
-#include "tree.glsl"
+#include "descent.glsl"
 #include "../common/form_factor.glsl"
 #include "moments.glsl"
 #include "vertex_kind.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 16) in; // with TOGETHER 64 vertices
 
 layout(set = 0, binding = 4) uniform sampler2D position_image;
 layout(set = 0, binding = 5) uniform usampler2D normal_image;
@@ -42,52 +43,69 @@ void take(inout Vertex v, inout vec3 exact, vec3 e, float far, float form_factor
 
 void main()
 {
-    uint slot = gather_first + gl_GlobalInvocationID.x, done = 0u;
-    bool inside = slot < gather_end;
-    ivec2 pixel = unpack_pixel(inside ? vertex_pixels[slot] : 0u);
-    vec4 place = texelFetch(position_image, pixel, 0);
-    uvec2 normals = texelFetch(normal_image, pixel, 0).xy;
-    vec3 x = place.xyz, n = unpack_normal(normals.x), face = unpack_normal(normals.y);
-    // what holds at a bump's own normal says nothing about its neighbours
-    n = dot(n, face) > 0.97 ? n : face;
-
-    Vertex v = vertex_zero();
-    vec3 exact = vec3(0.0);
+    uint first = gather_first + TOGETHER * gl_GlobalInvocationID.x, done = 0u;
+    Seeker seekers[TOGETHER];
+    vec3 normals[TOGETHER], exact[TOGETHER];
+    Vertex v[TOGETHER];
+    [[unroll]] for (int k = 0; k < TOGETHER; k++) {
+        bool inside = first + uint(k) < gather_end;
+        ivec2 pixel = unpack_pixel(inside ? vertex_pixels[first + uint(k)] : 0u);
+        vec4 place = texelFetch(position_image, pixel, 0);
+        uvec2 packed = texelFetch(normal_image, pixel, 0).xy;
+        vec3 n = unpack_normal(packed.x), face = unpack_normal(packed.y);
+        // what holds at a bump's own normal says nothing about its neighbours
+        normals[k] = dot(n, face) > 0.97 ? n : face;
+        seekers[k] = Seeker(place.xyz, place.w, inside ? 0u : nodes_end);
+        exact[k] = vec3(0.0);
+        v[k] = vertex_zero();
+    }
+    // lavapipe ends a loop one round after its last invocation, unless the test comes last
     uint at = 0u;
-    if (inside && nodes_end > 0u)
+    if (first < gather_end && nodes_end > 0u)
         do {
-            uint others;
-            uint count = find_lights(at, x, place.w, mean, done, others);
-            done += count + others;
+            find_lights(at, seekers, mean, done);
             uint i = 0u;
-            if (count > 0u)
+            if (found_far_count > 0u)
                 do {
-                    Light l = node_light(found[i]);
-                    FarLight s = far_light(l, x, n);
-                    take(v, exact, light_exitance(l), 1.0, s.form_factor, s.gradient, s.moments,
-                         s.fourth);
-                } while (++i < count);
-            i = 0u;
-            if (others > 0u)
-                do {
-                    uint which = found[MOST_FOUND - 1u - i];
-                    Light l = node_light(which);
-                    vec3 window_gradient;
-                    float far = 1.0 - near_weight(l, x, place.w, mean, window_gradient);
-                    if (!is_leaf(which)) { // what stands for many is far
-                        far = 1.0;
-                        window_gradient = vec3(0.0);
+                    Light l = node_light(found_far[i] & FOUND_NODES);
+                    vec3 e = light_exitance(l);
+                    [[unroll]] for (int k = 0; k < TOGETHER; k++) {
+                        FarLight s = far_light(l, seekers[k].x, normals[k]);
+                        bool own = is_found_for(found_far[i], k);
+                        done += own ? 1u : 0u;
+                        take(v[k], exact[k], own ? e : vec3(0.0), 1.0, s.form_factor, s.gradient, s.moments,
+                             s.fourth);
                     }
-                    far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
-                    float f = form_factor(l, x, n);
-                    FarLight s = far_light(l, x, n);
-                    take(v, exact, light_exitance(l), far, f, far * s.gradient - f * window_gradient,
-                         light_moments(l, x), s.fourth);
-                } while (++i < others);
+                } while (++i < found_far_count);
+            i = 0u;
+            if (found_near_count > 0u)
+                do {
+                    uint which = found_near[i] & FOUND_NODES;
+                    Light l = node_light(which);
+                    vec3 e = light_exitance(l);
+                    bool leaf = is_leaf(which);
+                    [[unroll]] for (int k = 0; k < TOGETHER; k++) {
+                        vec3 x = seekers[k].x, window_gradient;
+                        float far = 1.0 - near_weight(l, x, seekers[k].depth, mean, window_gradient);
+                        if (!leaf) { // what stands for many is far
+                            far = 1.0;
+                            window_gradient = vec3(0.0);
+                        }
+                        far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
+                        float f = form_factor(l, x, normals[k]);
+                        FarLight s = far_light(l, x, normals[k]);
+                        bool own = is_found_for(found_near[i], k);
+                        done += own ? 1u : 0u;
+                        take(v[k], exact[k], own ? e : vec3(0.0), far, f,
+                             far * s.gradient - f * window_gradient, light_moments(l, x), s.fourth);
+                    }
+                } while (++i < found_near_count);
         } while (at < nodes_end);
-    vertex_finish(v, x);
-    vertex_local(v, exact - vertex_irradiance(v, x, n));
-    if (inside)
-        vertices[slot] = v;
+    [[unroll]] for (int k = 0; k < TOGETHER; k++)
+        if (first + uint(k) < gather_end) {
+            vertex_finish(v[k], seekers[k].x);
+            vertex_local(v[k], exact[k] - vertex_irradiance(v[k], seekers[k].x, normals[k]));
+            vertices[first + uint(k)] = v[k];
+        }
     counter_add_group(COUNT_EVALUATIONS, done);
 }

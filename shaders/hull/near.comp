@@ -30,6 +30,8 @@ layout(set = 0, binding = 8, std430) readonly buffer NearBlocks
 };
 
 const int PIXELS = 8;
+const uint MOST_FOUND = 32u; // lights at once
+uint found[MOST_FOUND];
 
 void main()
 {

@@ -108,37 +108,4 @@ bool is_one_light(Node node, vec3 x, float depth, float mean_irradiance, out boo
     return good || node.leaf;
 }
 
-// What a descent has found, and where it goes on.
-const uint MOST_FOUND = 32u;
-uint found[MOST_FOUND];
-
-// The next nodes that stand for far lights, or are lights, at x; how many. at: 0 at first, less than nodes_end; nodes_end
-// when there are no more. tested: grows by the nodes that were tested. others: of how many more, kept at the
-// end of found from the last one on, any part may be near or three points are too few.
-uint find_lights(inout uint at, vec3 x, float depth, float mean_irradiance, inout uint tested,
-                 out uint others)
-{
-    uint count = 0u;
-    others = 0u;
-    do {
-        Node node = read_node(at);
-        bool all_far;
-        bool take = is_one_light(node, x, depth, mean_irradiance, all_far);
-        bool behind = is_behind(node, x);
-        found[all_far ? count : MOST_FOUND - 1u - others] = at;
-        tested += node.leaf && !behind ? 0u : 1u; // the others are evaluated, and counted then
-        bool keep = take && !behind;
-        count += keep && all_far ? 1u : 0u;
-        others += keep && !all_far ? 1u : 0u;
-        at = take || behind ? node.skip : at + 1u;
-    } while (at < nodes_end && count + others < MOST_FOUND);
-    return count;
-}
-
-// Where the i-th of them all is kept.
-uint found_place(uint i, uint count)
-{
-    return i < count ? i : MOST_FOUND - 1u - (i - count);
-}
-
 #endif

@@ -1,9 +1,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // descent.comp: for tests: which nodes a descent takes at a point, and the far light that they give.
 #include "../common/frame.glsl"
 #include "../hull/hull.glsl"
-#include "../hull/tree.glsl"
+#include "../hull/descent.glsl"
 #include "../common/form_factor.glsl"
 
 layout(local_size_x = 64) in;
@@ -32,11 +33,11 @@ void main()
         return;
     Point p = points[i];
     vec3 sum = vec3(0.0);
+    Seeker seekers[1] = {Seeker(p.place.xyz, p.place.w, 0u)};
     for (uint at = 0u; at < nodes_end;) {
-        uint others;
-        uint count = find_lights(at, p.place.xyz, p.place.w, p.normal.w, tested, others);
-        for (uint j = 0u; j < count + others; j++) {
-            uint which = found[found_place(j, count)];
+        find_lights(at, seekers, p.normal.w, tested);
+        for (uint j = 0u; j < found_far_count + found_near_count; j++) {
+            uint which = found_at(j);
             Light l = node_light(which);
             vec3 gradient;
             float near = near_weight(l, p.place.xyz, p.place.w, p.normal.w, gradient);

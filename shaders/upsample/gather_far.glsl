@@ -8,7 +8,7 @@
 #include "../hull/hull.glsl"
 #include "../hull/control.glsl"
 #ifndef ALL_LIGHTS
-#include "../hull/tree.glsl"
+#include "../hull/descent.glsl"
 #endif
 #include "../common/form_factor.glsl"
 #include "../hull/moments.glsl"
@@ -51,10 +51,10 @@ void main()
         barrier();
         uint count = surface ? min(64u, view.size.z - first) : 0u;
 #else
+    Seeker seekers[1] = {Seeker(s.position.xyz, s.position.w, 0u)};
     for (uint at = surface ? 0u : nodes_end; at < nodes_end;) {
-        uint others;
-        uint far_count = find_lights(at, s.position.xyz, s.position.w, mean, done, others);
-        uint count = far_count + others;
+        find_lights(at, seekers, mean, done);
+        uint count = found_far_count + found_near_count;
 #endif
         done += count;
         for (uint i = 0u; i < count; i++) {
@@ -62,10 +62,10 @@ void main()
             Light l = staged[i];
             float far = 1.0;
 #else
-            Light l = node_light(found[found_place(i, far_count)]);
+            Light l = node_light(found_at(i));
             vec3 gradient;
             float far = 1.0 - near_weight(l, s.position.xyz, s.position.w, mean, gradient);
-            far = is_leaf(found[found_place(i, far_count)]) ? far : 1.0; // what stands for many is far
+            far = is_leaf(found_at(i)) ? far : 1.0; // what stands for many is far
 #endif
             far = dot(s.position.xyz - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
             vec3 e = far * light_exitance(l);
