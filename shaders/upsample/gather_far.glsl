@@ -1,5 +1,6 @@
-// gather_far.glsl: a sample of far.glsl at one pixel of each block: of the far lights, or with
-// ALL_LIGHTS of all of them, one by one.
+// gather_far.glsl: a sample of far.glsl at one pixel of each block, TOGETHER an invocation: of the far
+// lights, or with ALL_LIGHTS of all of them, one by one.
+#define TOGETHER 4
 #define COUNTERS_BINDING 2
 #define COUNTERS_SHARED
 #define CONTROL_BINDING 3
@@ -7,7 +8,9 @@
 #include "../common/counters.glsl"
 #include "../hull/hull.glsl"
 #include "../hull/control.glsl"
-#ifndef ALL_LIGHTS
+#ifdef ALL_LIGHTS
+#include "../common/lights.glsl"
+#else
 #include "../hull/descent.glsl"
 #endif
 #include "../common/form_factor.glsl"
@@ -15,7 +18,7 @@
 #include "far.glsl"
 #include "block.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 16) in; // with TOGETHER 64 samples
 
 layout(set = 0, binding = 4) uniform sampler2D position_image;
 layout(set = 0, binding = 5) uniform usampler2D normal_image;
@@ -24,72 +27,120 @@ layout(set = 0, binding = 6, std430) writeonly buffer Samples
     Sample samples[];
 };
 
+// Takes the share far of a light of exitance e into the sample, and into the irradiance at its normal.
+void take(inout Sample s, vec3 e, float far, float form_factor, Moments m, Fourth f)
+{
+    e *= far;
+    s.c.xyz += e * form_factor;
+    vec3 square = (15.0 / 32.0 * m.squares + 3.0 / 32.0 * m.solid_angle) / PI;
+    vec3 product = 15.0 / 32.0 / PI * m.products, b = 0.5 / PI * m.first;
+    vec4 m0 = vec4(square, product.x), m1 = vec4(product.yz, b.xy);
+    s.red0 += e.r * m0;
+    s.green0 += e.g * m0;
+    s.blue0 += e.b * m0;
+    s.red1 += e.r * m1;
+    s.green1 += e.g * m1;
+    s.blue1 += e.b * m1;
+    float mean_e = (e.r + e.g + e.b) / 3.0;
+    s.b += vec4(e * b.z, mean_e * f.c);
+    s.fourth_a += mean_e * f.a;
+    s.fourth_b += mean_e * f.b;
+}
+
+// The share of the light that the sample at x is to take, with its exact form factor and moments.
+void take_exactly(inout Sample s, Light l, vec3 e, float far)
+{
+    vec3 x = s.position.xyz, n = s.normal.xyz;
+    far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
+    take(s, e, far, form_factor(l, x, n), light_moments(l, x), far_light(l, x, n).fourth);
+}
+
 #ifdef ALL_LIGHTS
+
 shared Light staged[64];
+
+void gather(inout Sample s[TOGETHER], bool surface[TOGETHER], inout uint done)
+{
+    for (uint first = 0u; first < view.size.z; first += 64u) {
+        barrier();
+        for (uint i = gl_LocalInvocationIndex; i < 64u && first + i < view.size.z; i += 16u)
+            staged[i] = lights[first + i];
+        barrier();
+        uint count = min(64u, view.size.z - first), i = 0u;
+        do {
+            Light l = staged[i];
+            [[unroll]] for (int k = 0; k < TOGETHER; k++) {
+                take_exactly(s[k], l, light_exitance(l), surface[k] ? 1.0 : 0.0);
+                done += surface[k] ? 1u : 0u;
+            }
+        } while (++i < count);
+    }
+}
+
+#else
+
+void gather(inout Sample s[TOGETHER], bool surface[TOGETHER], inout uint done)
+{
+    Seeker seekers[TOGETHER];
+    [[unroll]] for (int k = 0; k < TOGETHER; k++)
+        seekers[k] = Seeker(s[k].position.xyz, s[k].position.w, surface[k] ? 0u : nodes_end);
+    uint at = 0u;
+    if (nodes_end > 0u)
+        do {
+            find_lights(at, seekers, mean, done);
+            uint i = 0u;
+            if (found_far_count > 0u)
+                do {
+                    Light l = node_light(found_far[i] & FOUND_NODES);
+                    [[unroll]] for (int k = 0; k < TOGETHER; k++) {
+                        bool own = is_found_for(found_far[i], k);
+                        done += own ? 1u : 0u;
+                        FarLight f = far_light(l, s[k].position.xyz, s[k].normal.xyz);
+                        take(s[k], light_exitance(l), own ? 1.0 : 0.0, f.form_factor, f.moments, f.fourth);
+                    }
+                } while (++i < found_far_count);
+            i = 0u;
+            if (found_near_count > 0u)
+                do {
+                    uint which = found_near[i] & FOUND_NODES;
+                    Light l = node_light(which);
+                    bool leaf = is_leaf(which);
+                    [[unroll]] for (int k = 0; k < TOGETHER; k++) {
+                        bool own = is_found_for(found_near[i], k);
+                        done += own ? 1u : 0u;
+                        vec3 gradient;
+                        float near = near_weight(l, s[k].position.xyz, s[k].position.w, mean, gradient);
+                        near = leaf ? near : 0.0; // what stands for many is far
+                        take_exactly(s[k], l, light_exitance(l), own ? 1.0 - near : 0.0);
+                    }
+                } while (++i < found_near_count);
+        } while (at < nodes_end);
+}
+
 #endif
 
 void main()
 {
-    uint index = gl_GlobalInvocationID.x, done = 0u;
-    ivec2 block = ivec2(index % blocks_x, int(index / blocks_x) + band_first(samples.length()));
-    bool inside = index < samples.length() && block.y >= 0 && block.y < int(blocks_y);
-    Sample s = Sample(vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0),
-                      vec4(0), vec4(0), vec4(0));
-    ivec2 pixel = ivec2(0);
-    if (inside)
-        pixel = block_pixel(block, position_image, s.position);
-    bool surface = s.position.w > 0.0;
-    uvec2 normals = surface ? texelFetch(normal_image, pixel, 0).xy : uvec2(0u);
-    vec3 n = unpack_normal(normals.x), face = unpack_normal(normals.y), exact = vec3(0.0);
-    n = dot(n, face) > 0.97 ? n : face; // as the hull's vertices do
-#ifdef ALL_LIGHTS
-    for (uint first = 0u; first < view.size.z; first += 64u) {
-        uint mine = first + gl_LocalInvocationIndex;
-        barrier();
-        if (mine < view.size.z)
-            staged[gl_LocalInvocationIndex] = lights[mine];
-        barrier();
-        uint count = surface ? min(64u, view.size.z - first) : 0u;
-#else
-    Seeker seekers[1] = {Seeker(s.position.xyz, s.position.w, 0u)};
-    for (uint at = surface ? 0u : nodes_end; at < nodes_end;) {
-        find_lights(at, seekers, mean, done);
-        uint count = found_far_count + found_near_count;
-#endif
-        done += count;
-        for (uint i = 0u; i < count; i++) {
-#ifdef ALL_LIGHTS
-            Light l = staged[i];
-            float far = 1.0;
-#else
-            Light l = node_light(found_at(i));
-            vec3 gradient;
-            float far = 1.0 - near_weight(l, s.position.xyz, s.position.w, mean, gradient);
-            far = is_leaf(found_at(i)) ? far : 1.0; // what stands for many is far
-#endif
-            far = dot(s.position.xyz - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
-            vec3 e = far * light_exitance(l);
-            exact += e * form_factor(l, s.position.xyz, n);
-            Moments m = light_moments(l, s.position.xyz);
-            vec3 square = (15.0 / 32.0 * m.squares + 3.0 / 32.0 * m.solid_angle) / PI;
-            vec3 product = 15.0 / 32.0 / PI * m.products, b = 0.5 / PI * m.first;
-            vec4 m0 = vec4(square, product.x), m1 = vec4(product.yz, b.xy);
-            s.red0 += e.r * m0;
-            s.green0 += e.g * m0;
-            s.blue0 += e.b * m0;
-            s.red1 += e.r * m1;
-            s.green1 += e.g * m1;
-            s.blue1 += e.b * m1;
-            Fourth f = far_light(l, s.position.xyz, n).fourth;
-            float mean_e = (e.r + e.g + e.b) / 3.0;
-            s.b += vec4(e * b.z, mean_e * f.c);
-            s.fourth_a += mean_e * f.a;
-            s.fourth_b += mean_e * f.b;
-        }
+    uint first = TOGETHER * gl_GlobalInvocationID.x, done = 0u, length = uint(samples.length());
+    Sample s[TOGETHER];
+    bool surface[TOGETHER];
+    [[unroll]] for (int k = 0; k < TOGETHER; k++) {
+        uint index = first + uint(k);
+        ivec2 block = ivec2(index % blocks_x, int(index / blocks_x) + band_first(length)), pixel = ivec2(0);
+        s[k] = Sample(vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0), vec4(0),
+                      vec4(0), vec4(0));
+        if (index < length && block.y >= 0 && block.y < int(blocks_y))
+            pixel = block_pixel(block, position_image, s[k].position);
+        surface[k] = s[k].position.w > 0.0;
+        uvec2 normals = surface[k] ? texelFetch(normal_image, pixel, 0).xy : uvec2(0u);
+        vec3 n = unpack_normal(normals.x), face = unpack_normal(normals.y);
+        s[k].normal.xyz = dot(n, face) > 0.97 ? n : face; // as the hull's vertices do
     }
-    s.c.xyz = exact - sample_irradiance(s, n);
-    s.normal.xyz = n;
-    if (inside)
-        samples[index] = s;
+    gather(s, surface, done);
+    [[unroll]] for (int k = 0; k < TOGETHER; k++)
+        if (first + uint(k) < length) {
+            s[k].c.xyz -= sample_irradiance(s[k], s[k].normal.xyz);
+            samples[first + uint(k)] = s[k];
+        }
     counter_add_group(COUNT_EVALUATIONS, done);
 }
