@@ -13,8 +13,6 @@ const float QUAD_STEEP = 3.1;
 // A bit in 64 of a light that is worth more shows: all points are looked at.
 const float QUAD_BRIGHT = 3.0;
 
-shared uvec2 quad_boards[64];
-
 // Looks at the points on the squares that are left.
 uvec2 look_at(uint light, Surface s, uvec2 left, uvec2 board, inout uint rays)
 {
@@ -33,49 +31,55 @@ uvec2 look_at(uint light, Surface s, uvec2 left, uvec2 board, inout uint rays)
     return board;
 }
 
-// Weights of what is visible by a board, and of all: on the squares that count.
-vec2 weigh(uint light, Surface s, uvec2 board, uvec2 count)
+// Weights of what is visible by a board, and of all.
+vec2 weigh(uint light, Surface s, uvec2 board)
 {
     vec2 weights = vec2(0.0);
     for (uint i = 0u; i < AREA_POINTS; i++) {
-        bool counts = (count[i >> 5] >> (i & 31u) & 1u) != 0u;
-        float weight = counts ? area_weight(light, point_on(i), s) : 0.0;
+        float weight = area_weight(light, point_on(i), s);
         weights += (board[i >> 5] >> (i & 31u) & 1u) != 0u ? vec2(weight) : vec2(0.0, weight);
     }
     return weights;
+}
+
+// The bits of the four sets of points, on the board.
+uvec2 board_of(uint sets[4])
+{
+    uvec2 board = uvec2(0u);
+    for (uint i = 0u; i < 32u; i++) {
+        uint low = point_on(i), high = point_on(i + 32u);
+        board.x |= (sets[low >> 4] >> (low & 15u) & 1u) << i;
+        board.y |= (sets[high >> 4] >> (high & 15u) & 1u) << i;
+    }
+    return board;
 }
 
 // One light, from this invocation's pixel, in uniform control flow: the set of 16, and where the
 // pixel is alone twice what is beside a change.
 void quad_light(uint light, bool one_surface, Surface s, inout Sub sub, inout uint rays)
 {
-    uint mine = gl_LocalInvocationIndex, first = mine & ~3u;
+    uint mine = gl_LocalInvocationIndex & 3u;
     float form = s.there ? form_before_test(light, s) : 0.0;
-    uvec2 board = uvec2(0u), looked = uvec2(0u), left = squares_of(mine & 3u), own = left;
-    bool alone = false, at_all = false, part = false;
-    for (uint turn = 0u; turn < 3u; turn++) {
-        if (form > 0.0 && (turn == 0u || alone)) {
+    vec2 weights = vec2(0.0);
+    uint bits = form > 0.0 ? see_set(light, s, mine, weights, rays) : 0u;
+    Seen seen = share(bits, weights, worth_of(light, form));
+    bool part = compare(light, true, seen, sub.found);
+    float steepness = float(steepest_of(seen) + 1u) * seen.worth;
+    bool alone = part && form > 0.0
+                 && ((!one_surface && seen.worth > QUAD_EDGE) || steepness > QUAD_STEEP);
+    if (alone) {
+        bool at_all = !one_surface || seen.worth > QUAD_BRIGHT;
+        uvec2 board = board_of(seen.bits), looked = squares_of(mine);
+        for (uint turn = 0u; turn < 2u; turn++) {
+            uvec2 left = (at_all ? uvec2(0xffffffffu) : beside_changes(board)) & ~looked;
             board = look_at(light, s, left, board, rays);
             looked |= left;
         }
-        if (turn == 0u) {
-            // as numbers: the bits are not of the same points
-            uint number = uint(bitCount(board.x) + bitCount(board.y));
-            quad_boards[mine] = board;
-            Seen seen = share((1u << number) - 1u, vec2(0.0), worth_of(light, form));
-            part = compare(light, true, seen, sub.found);
-            float steepness = float(steepest_of(seen) + 1u) * seen.worth;
-            alone = part && ((!one_surface && seen.worth > QUAD_EDGE) || steepness > QUAD_STEEP);
-            at_all = !one_surface || seen.worth > QUAD_BRIGHT;
-            for (uint i = 0u; i < 4u; i++)
-                board |= quad_boards[first + i];
-        }
-        left = (at_all ? uvec2(0xffffffffu) : beside_changes(board)) & ~looked;
+        weights = weigh(light, s, board);
+        sub.own = true;
+    } else if (one_surface) {
+        weights = seen.together;
     }
-    sub.own = sub.own || (alone && form > 0.0);
-    vec2 weights = vec2(0.0);
-    if (form > 0.0)
-        weights = weigh(light, s, board, one_surface || alone ? uvec2(0xffffffffu) : own);
     keep_light(light, part, form, weights, s, sub);
 }
 
