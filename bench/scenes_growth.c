@@ -78,8 +78,8 @@ static bool measure(const scenes_plan *plan, const render_scene *scene, const ch
     scenes_view view = {.device = plan->device,
                         .scene = scene,
                         .name = scene->name,
-                        .width = plan->quick ? 640 : 1280,
-                        .height = plan->quick ? 360 : 720,
+                        .width = plan->quick ? 480 : 1280,
+                        .height = plan->quick ? 270 : 720,
                         .runs = plan->quick ? 2 : 3,
                         .truth_once = true,
                         .warm = plan->warm};

@@ -248,7 +248,7 @@ static bool one_figure(const scenes_plan *plan, const render_scene *scene, const
 {
     stage s = {.figure = figure, .pictures = plan->out};
     render_options options = {
-        .width = plan->quick ? 960 : 3840, .height = plan->quick ? 540 : 2160, .runs = 1};
+        .width = plan->quick ? 640 : 3840, .height = plan->quick ? 360 : 2160, .runs = 1};
     if (render_frame_create(plan->device, scene, &options, &s.frame) != GPU_OK)
         return failed(&s, "the frame");
     s.light_count = sharp ? lobe_light_sharp(scene, s.lights) : lobe_lights_of(&s.frame, s.lights);

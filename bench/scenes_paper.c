@@ -85,7 +85,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, const char *fol
                       scenes_table *table)
 {
     render_scene scene;
-    uint32_t width = plan->quick ? 640 : 1280, height = plan->quick ? 360 : 720;
+    uint32_t width = plan->quick ? 480 : 1280, height = plan->quick ? 270 : 720;
     if (!render_scene_read(path, plan->folder, &scene))
         return false;
     char *stage_folder = base_join(plan->out, "stages");
