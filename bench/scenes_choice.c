@@ -96,19 +96,24 @@ static bool choices(work *w, const choose_domain *domain, FILE *out)
     double *costs = base_allocate(sg_method_count() * sizeof *costs + 1);
     float *radiance = base_allocate(4 * (size_t)PIXELS * sizeof *radiance);
     bool good = choose_costs(CHOOSE_GPU, NULL, costs);
+    const sg_method *last = NULL;
+    double change = 0.0; /* of its picture */
     for (size_t i = 0; i < sizeof most / sizeof *most && good; i++) {
         double rmse = 0.0, cost = 0.0;
         const sg_method *method = cheapest(domain, costs, most[i], &rmse, &cost);
         if (!method)
             continue;
-        good = render_with(w, method->id, radiance, NULL);
-        if (!good)
-            break;
+        if (method != last) {
+            good = render_with(w, method->id, radiance, NULL);
+            if (!good)
+                break;
+            change = largest_change(w, radiance);
+            last = method;
+        }
         char text[4][BASE_NUMBER_SIZE];
         fprintf(out, "%s,%s,%s,%s,%s,%s,%s\n", w->scene->name, w->pipeline->id,
                 base_shortest_f64(most[i], text[0]), method->id, base_shortest_f64(cost, text[1]),
-                base_shortest_f64(rmse, text[2]),
-                base_shortest_f64(largest_change(w, radiance), text[3]));
+                base_shortest_f64(rmse, text[2]), base_shortest_f64(change, text[3]));
     }
     free(costs);
     free(radiance);

@@ -48,9 +48,9 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
                                 .width = sizes[s][0],
                                 .height = sizes[s][1],
                                 .detailed = detailed != 0,
-                                .runs = brief                    ? 1
-                                        : s == 0 && !plan->quick ? 3
-                                                                 : 2,
+                                .runs = brief || (plan->quick && detailed) ? 1
+                                        : s == 0 && !plan->quick           ? 3
+                                                                           : 2,
                                 .truth_once = true,
                                 .warm = plan->warm};
             good = scenes_measure(&view, ids, scenes_gallery, shows ? pictures : NULL, table);
