@@ -22,6 +22,16 @@ static void pipelines_of(bool all, const char *ids[MOST_PIPELINES])
     ids[count] = NULL;
 }
 
+/* As many as an hour for all, or five minutes of a quick one, leave room for. */
+static int runs_of(const scenes_plan *plan, int size, bool detailed, bool first_view)
+{
+    if (plan->quick)
+        return detailed ? 1 : 2;
+    if (size > 0)
+        return first_view ? 2 : 1;
+    return first_view ? 3 : 2;
+}
+
 static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
                       scenes_table *table, base_progress *progress)
 {
@@ -48,9 +58,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
                                 .width = sizes[s][0],
                                 .height = sizes[s][1],
                                 .detailed = detailed != 0,
-                                .runs = brief || (plan->quick && detailed) ? 1
-                                        : s == 0 && !plan->quick           ? 3
-                                                                           : 2,
+                                .runs = runs_of(plan, s, detailed != 0, scenes_is_first_view(path)),
                                 .truth_once = true,
                                 .warm = plan->warm};
             good = scenes_measure(&view, ids, scenes_gallery, shows ? pictures : NULL, table);
