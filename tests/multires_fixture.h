@@ -77,6 +77,23 @@ static inline float *fixture_light(fixture *f, const render_pipeline *pipeline,
     return light;
 }
 
+/* How the device looks from a pixel at a light: its points, its normal, where rays begin. */
+static inline void shadow_rays(const fixture *f, const render_area_light *light, size_t at,
+                               float points[SHADOWS_POINTS][4], double normal[3], float origin[3])
+{
+    const float *p = f->position + 4 * at;
+    double size = (double)p[3], extent = 0;
+    for (int k = 0; k < 3; k++)
+        size = fmax(size, fabs((double)p[k]));
+    for (int i = 0; i < light->corner_count; i++)
+        for (int k = 0; k < 3; k++)
+            extent = fmax(extent, fabs(light->corners[i][k]));
+    shadows_points(light, 1e-4 * extent, points);
+    shadows_normal(light, normal);
+    for (int k = 0; k < 3; k++)
+        origin[k] = p[k] + (float)(1e-4 * size) * f->face[at][k];
+}
+
 static inline double dot(const float a[3], const float b[3])
 {
     return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];

@@ -14,18 +14,9 @@ static uint32_t see(const fixture *f, const embree_scene *embree, const render_a
 {
     size_t at = (size_t)y * f->frame.width + x;
     const float *p = f->position + 4 * at;
-    double size = (double)p[3], n[3];
-    for (int k = 0; k < 3; k++)
-        size = fmax(size, fabs((double)p[k]));
     float points[SHADOWS_POINTS][4], origin[3], reach;
-    double extent = 0;
-    for (int i = 0; i < light->corner_count; i++)
-        for (int k = 0; k < 3; k++)
-            extent = fmax(extent, fabs(light->corners[i][k]));
-    shadows_points(light, 1e-4 * extent, points);
-    shadows_normal(light, n);
-    for (int k = 0; k < 3; k++)
-        origin[k] = p[k] + (float)(1e-4 * size) * f->face[at][k];
+    double n[3];
+    shadow_rays(f, light, at, points, n, origin);
     uint32_t bits = 0;
     for (int i = 0; i < 16; i++) {
         const float *to = points[16 * set + i];

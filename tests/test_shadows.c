@@ -74,16 +74,8 @@ static double share(const fixture *f, const embree_scene *embree, const render_a
 {
     const float *p = f->position + 4 * at;
     float points[SHADOWS_POINTS][4], origin[3], reach;
-    double size = (double)p[3], extent = 0, n[3], seen = 0, all = 0;
-    for (int k = 0; k < 3; k++)
-        size = fmax(size, fabs((double)p[k]));
-    for (int i = 0; i < light->corner_count; i++)
-        for (int k = 0; k < 3; k++)
-            extent = fmax(extent, fabs(light->corners[i][k]));
-    shadows_points(light, 1e-4 * extent, points);
-    shadows_normal(light, n);
-    for (int k = 0; k < 3; k++)
-        origin[k] = p[k] + (float)(1e-4 * size) * f->face[at][k];
+    double n[3], seen = 0, all = 0;
+    shadow_rays(f, light, at, points, n, origin);
     for (int i = 0; i < SHADOWS_POINTS; i++) {
         float d[3], from[3];
         double facing = 0;

@@ -54,6 +54,14 @@ void find_lights(inout uint at, inout Seeker seekers[TOGETHER], float mean_irrad
     } while (at < end);
 }
 
+// The share of a node's light that is far from x, and the gradient of the near one: what stands for many is far.
+float far_share(Light l, bool leaf, vec3 x, float depth, float mean_irradiance, out vec3 near_gradient)
+{
+    float near = near_weight(l, x, depth, mean_irradiance, near_gradient);
+    near_gradient = leaf ? near_gradient : vec3(0.0);
+    return leaf ? 1.0 - near : 1.0;
+}
+
 // The i-th node of both lists.
 uint found_at(uint i)
 {

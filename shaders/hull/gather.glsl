@@ -86,11 +86,7 @@ void main()
                     bool leaf = is_leaf(which);
                     [[unroll]] for (int k = 0; k < TOGETHER; k++) {
                         vec3 x = seekers[k].x, window_gradient;
-                        float far = 1.0 - near_weight(l, x, seekers[k].depth, mean, window_gradient);
-                        if (!leaf) { // what stands for many is far
-                            far = 1.0;
-                            window_gradient = vec3(0.0);
-                        }
+                        float far = far_share(l, leaf, x, seekers[k].depth, mean, window_gradient);
                         far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
                         float f = form_factor(l, x, normals[k]);
                         FarLight s = far_light(l, x, normals[k]);

@@ -15,7 +15,7 @@ const uint SMALL_COMPONENT = 1u;  // as many pixels or fewer are lit exactly
 const uint LEVELS = 4u;           // how often quads are split, at most, plus 1
 const int STEP = 4;               // pixels; sides of quads are multiples of it
 const int ONE_VERTEX = 8;         // components no longer than this have one vertex along it
-const float FLAT = 0.05;           // with an error below this, of that which splits it, a quad does
+const float FLAT = 0.05;          // with an error below this, of that which splits it, a quad does
 const uint FLAT_BIT = 0x8000u;    // without its centre; noted in its size
 const uint RANKS = 16u;           // by which is chosen what finds room, see share_room
 const uint NONE = 0xffffffffu;
@@ -66,6 +66,17 @@ ivec2 unpack_size(uint size)
 uint unpack_rank(uint size)
 {
     return size >> 8 & 0xfu;
+}
+
+// Of the four parts of a quad: the size of the first, and of each.
+ivec2 first_part(ivec2 size)
+{
+    return (size / 2 + STEP - 1) / STEP * STEP;
+}
+
+ivec2 part_size(ivec2 size, ivec2 part)
+{
+    return mix(first_part(size), size - first_part(size), equal(part, ivec2(1)));
 }
 
 // Where a component's tile begins.

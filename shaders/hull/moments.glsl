@@ -42,6 +42,20 @@ vec3 color_of(vec3 light)
     return light * (3.0 / max(light.r + light.g + light.b, 1e-20));
 }
 
+// A share of a light's moments as the irradiance n.M n + B.n on a surface with normal n needs them.
+struct Terms {
+    vec4 m0; // M: xx, yy, zz, xy
+    vec4 m1; // M: xz, yz; B: x, y
+    float b; // B: z
+};
+
+Terms terms_of(Moments m, float share)
+{
+    vec3 s = share / PI * (15.0 / 32.0 * m.squares + 3.0 / 32.0 * m.solid_angle);
+    vec3 p = share / PI * 15.0 / 32.0 * m.products, b = share * 0.5 / PI * m.first;
+    return Terms(vec4(s, p.x), vec4(p.yz, b.xy), b.z);
+}
+
 #ifdef FORM_FACTOR_GLSL
 
 // One edge's share of the first and second moment; g: cross product of its ends on the unit sphere.
@@ -88,7 +102,7 @@ FarLight far_light(Light l, vec3 x, vec3 n)
     vec3 middle = (l.a.xyz + l.b.xyz + l.c.xyz) / 6.0 - x;
     for (int i = 0; i < 3; i++) {
         vec3 r = middle + 0.5 * (i == 0 ? l.a.xyz : i == 1 ? l.b.xyz : l.c.xyz);
-        float inv2 = 1.0 / dot(r, r), inv = sqrt(inv2);
+        float inv2 = 1.0 / max(dot(r, r), 1e-12), inv = sqrt(inv2);
         vec3 w = r * inv;
         float up = max(dot(n, w), 0.0), out_of = max(-dot(l.plane.xyz, w), 0.0);
         float solid_angle = out_of * inv2;

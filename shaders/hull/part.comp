@@ -27,7 +27,6 @@ void main()
     if (q.component == NONE)
         return;
     ivec2 size = unpack_size(q.size);
-    ivec2 first = (size / 2 + STEP - 1) / STEP * STEP; // as in split.glsl
     uint children = unpack_rank(q.size) < least_rank ? 0u : q.size >> 24;
     if (children == 0u) {
         leaves[atomicAdd(leaf_count, 1u)] = index;
@@ -38,7 +37,7 @@ void main()
         if ((children >> i & 1u) != 0u) {
             ivec2 part = ivec2(i & 1, i >> 1);
             quads[at].component = q.component;
-            quads[at].origin = pack_pixel(unpack_pixel(q.origin) + part * first);
-            quads[at++].size = pack_pixel(mix(first, size - first, equal(part, ivec2(1))));
+            quads[at].origin = pack_pixel(unpack_pixel(q.origin) + part * first_part(size));
+            quads[at++].size = pack_pixel(part_size(size, part));
         }
 }

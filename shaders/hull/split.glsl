@@ -44,9 +44,8 @@ float split_error(Quad q)
     vec3 n = unpack_normal(normals.x), face = unpack_normal(normals.y);
     n = dot(n, face) > 0.97 ? n : face;
     Vertex middle = vertex_zero();
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 4; i++)
         vertex_add(middle, 0.25, vertices[vertex_slot(q.corners[i])]);
-    }
     vec3 error = vertex_irradiance(vertices[vertex_slot(q.centre)], x, n) - vertex_irradiance(middle, x, n);
     return length(error) * inversesqrt(3.0);
 }
@@ -86,7 +85,7 @@ void main()
     if (q.component == NONE)
         return;
     ivec2 size = unpack_size(q.size), p = unpack_pixel(q.origin) - tile_origin(q.component);
-    ivec2 first = (size / 2 + STEP - 1) / STEP * STEP; // of the two parts, across and down
+    ivec2 first = first_part(size);
     float error = split_error(q), most = split * mean;
     // with one vertex across nothing is known of the other places there but the gradient
     if (level == 0u && size.x <= ONE_VERTEX && size.x > STEP)
@@ -96,7 +95,7 @@ void main()
     uint children = 0u, rank = 0u;
     if (level + 1u < LEVELS && error > most && size != first) { // else too small for parts
         for (int i = 0; i < 4; i++) {
-            ivec2 part = ivec2(i & 1, i >> 1), extent = mix(first, size - first, equal(part, ivec2(1)));
+            ivec2 part = ivec2(i & 1, i >> 1), extent = part_size(size, part);
             if (all(greaterThan(extent, ivec2(0)))
                 && has_members(q.component, p + part * first, extent))
                 children |= 1u << i;

@@ -45,17 +45,15 @@ Vertex vertex_zero()
 // Takes in the share far of a light of exitance e.
 void vertex_take(inout Vertex v, vec3 e, float far, Moments m, Fourth f)
 {
-    vec3 s = far / PI * (15.0 / 32.0 * m.squares + 3.0 / 32.0 * m.solid_angle);
-    vec3 p = far / PI * 15.0 / 32.0 * m.products, b = far * 0.5 / PI * m.first;
-    vec4 m0 = vec4(s, p.x), m1 = vec4(p.yz, b.xy);
-    v.red0 += e.r * m0;
-    v.green0 += e.g * m0;
-    v.blue0 += e.b * m0;
-    v.red1 += e.r * m1;
-    v.green1 += e.g * m1;
-    v.blue1 += e.b * m1;
+    Terms t = terms_of(m, far);
+    v.red0 += e.r * t.m0;
+    v.green0 += e.g * t.m0;
+    v.blue0 += e.b * t.m0;
+    v.red1 += e.r * t.m1;
+    v.green1 += e.g * t.m1;
+    v.blue1 += e.b * t.m1;
     float mean_e = (e.r + e.g + e.b) / 3.0 * far;
-    v.b += vec4(e * b.z, mean_e * f.c);
+    v.b += vec4(e * t.b, mean_e * f.c);
     v.fourth_a += mean_e * f.a;
     v.fourth_b += mean_e * f.b;
 }

@@ -40,9 +40,8 @@ void main()
             uint which = found_at(j);
             Light l = node_light(which);
             vec3 gradient;
-            float near = near_weight(l, p.place.xyz, p.place.w, p.normal.w, gradient);
-            near = is_leaf(which) ? near : 0.0;
-            sum += (1.0 - near) * form_factor(l, p.place.xyz, p.normal.xyz) * light_exitance(l);
+            float far = far_share(l, is_leaf(which), p.place.xyz, p.place.w, p.normal.w, gradient);
+            sum += far * form_factor(l, p.place.xyz, p.normal.xyz) * light_exitance(l);
             taken[i * (nodes_end + 1u) + ++listed] = which;
         }
     }

@@ -30,19 +30,16 @@ layout(set = 0, binding = 6, std430) writeonly buffer Samples
 // Takes the share far of a light of exitance e into the sample, and into the irradiance at its normal.
 void take(inout Sample s, vec3 e, float far, float form_factor, Moments m, Fourth f)
 {
-    e *= far;
-    s.c.xyz += e * form_factor;
-    vec3 square = (15.0 / 32.0 * m.squares + 3.0 / 32.0 * m.solid_angle) / PI;
-    vec3 product = 15.0 / 32.0 / PI * m.products, b = 0.5 / PI * m.first;
-    vec4 m0 = vec4(square, product.x), m1 = vec4(product.yz, b.xy);
-    s.red0 += e.r * m0;
-    s.green0 += e.g * m0;
-    s.blue0 += e.b * m0;
-    s.red1 += e.r * m1;
-    s.green1 += e.g * m1;
-    s.blue1 += e.b * m1;
-    float mean_e = (e.r + e.g + e.b) / 3.0;
-    s.b += vec4(e * b.z, mean_e * f.c);
+    Terms t = terms_of(m, far);
+    s.c.xyz += e * (far * form_factor);
+    s.red0 += e.r * t.m0;
+    s.green0 += e.g * t.m0;
+    s.blue0 += e.b * t.m0;
+    s.red1 += e.r * t.m1;
+    s.green1 += e.g * t.m1;
+    s.blue1 += e.b * t.m1;
+    float mean_e = (e.r + e.g + e.b) / 3.0 * far;
+    s.b += vec4(e * t.b, mean_e * f.c);
     s.fourth_a += mean_e * f.a;
     s.fourth_b += mean_e * f.b;
 }
@@ -109,9 +106,8 @@ void gather(inout Sample s[TOGETHER], bool surface[TOGETHER], inout uint done)
                         bool own = is_found_for(found_near[i], k);
                         done += own ? 1u : 0u;
                         vec3 gradient;
-                        float near = near_weight(l, s[k].position.xyz, s[k].position.w, mean, gradient);
-                        near = leaf ? near : 0.0; // what stands for many is far
-                        take_exactly(s[k], l, light_exitance(l), own ? 1.0 - near : 0.0);
+                        float far = far_share(l, leaf, s[k].position.xyz, s[k].position.w, mean, gradient);
+                        take_exactly(s[k], l, light_exitance(l), own ? far : 0.0);
                     }
                 } while (++i < found_near_count);
         } while (at < nodes_end);
