@@ -65,7 +65,7 @@ typedef struct scenes_view {
     /* Interleaved: every pipeline once, then every pipeline again; 0: once, and times mean nothing
      */
     int runs;
-    bool truth_once;     /* `exact`, which takes long, only in the first of them */
+    double enough_ms;    /* a run of a pipeline that took as long is its last; 0: none is */
     scenes_warmth *warm; /* those in it need no run before the first that counts; NULL: all do */
     scenes_truth *known; /* of this view: used, or filled where it is empty; NULL: rendered */
     const scenes_variant *variants; /* after the pipelines */

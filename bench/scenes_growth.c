@@ -81,7 +81,7 @@ static bool measure(const scenes_plan *plan, const render_scene *scene, const ch
                         .width = plan->quick ? 480 : 1280,
                         .height = plan->quick ? 270 : 720,
                         .runs = plan->quick ? 2 : 3,
-                        .truth_once = true,
+                        .enough_ms = 2000.0,
                         .warm = plan->warm};
     if (!scenes_measure(&view, pipelines, NULL, NULL, &to->table))
         return false;

@@ -16,8 +16,10 @@ typedef struct job {
     const render_pipeline *pipeline;
     void *state;
     bool left_out; /* the device cannot do it */
+    bool done;     /* no run remains */
     scenes_row row;
     double ms[MOST_RUNS];
+    size_t runs; /* so far */
 } job;
 
 static bool failed(const scenes_view *view, const char *id)
@@ -52,12 +54,12 @@ static double sum_of_times(const render_statistics *statistics, bool shared)
     return sum;
 }
 
-static bool run_once(render_frame *frame, const scenes_view *view, job *j, int run)
+static bool run_once(render_frame *frame, const scenes_view *view, job *j)
 {
     gpu_status status = render_frame_run(frame, j->pipeline, j->state, &j->row.statistics);
     if (status != GPU_OK)
         return goes_on(view, j, status);
-    j->ms[run] = sum_of_times(&j->row.statistics, false);
+    j->ms[j->runs++] = sum_of_times(&j->row.statistics, false);
     j->row.frame_ms = sum_of_times(&j->row.statistics, true);
     return true;
 }
@@ -134,26 +136,27 @@ static bool warm_up(render_frame *frame, const scenes_view *view, job *jobs, siz
     scenes_warmth *warm = view->warm;
     for (size_t i = first; i < count; i++) {
         const render_pipeline *pipeline = jobs[i].pipeline;
-        if (jobs[i].left_out || is_warm(warm, pipeline))
+        if (jobs[i].left_out || jobs[i].done || is_warm(warm, pipeline))
             continue;
-        if (!run_once(frame, view, &jobs[i], 0))
+        if (!run_once(frame, view, &jobs[i]))
             return false;
+        jobs[i].runs = 0;
         if (warm && warm->count < sizeof warm->of / sizeof *warm->of)
             warm->of[warm->count++] = pipeline;
     }
     return true;
 }
 
-/* The truth from a former measurement, as far as there is one: then how many of its runs remain. */
-static int recall_truth(const scenes_view *view, job *truth, float *light)
+/* The truth from a former measurement, as far as there is one. */
+static void recall_truth(const scenes_view *view, job *truth, float *light)
 {
     const scenes_truth *known = view->known;
     if (!known || !known->light)
-        return view->truth_once || view->runs < 1 ? 1 : view->runs;
+        return;
     truth->row = known->row;
-    truth->ms[0] = known->row.lighting_ms;
+    truth->ms[truth->runs++] = known->row.lighting_ms;
+    truth->done = true;
     memcpy(light, known->light, (size_t)view->width * view->height * 4 * sizeof *light);
-    return 0;
 }
 
 static void remember_truth(const scenes_view *view, const job *truth, const float *light)
@@ -165,8 +168,15 @@ static void remember_truth(const scenes_view *view, const job *truth, const floa
     view->known->light = memcpy(base_allocate(bytes + 1), light, bytes);
 }
 
-/* The first round keeps the truth, the last one looks at each pipeline while the frame holds what
- * it made. */
+/* After the last of the runs, or after one that took long enough to be sure of. */
+static bool has_run_enough(const scenes_view *view, const job *j)
+{
+    return (int)j->runs >= view->runs || j->runs == MOST_RUNS ||
+           (view->enough_ms > 0.0 && j->ms[j->runs - 1] >= view->enough_ms);
+}
+
+/* The first round keeps the truth; each pipeline is looked at after its last run, while the frame
+ * holds what it made. */
 static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, size_t count,
                     scenes_look look, void *context)
 {
@@ -174,24 +184,32 @@ static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, siz
     float *truth = base_allocate((pixels + 1) * 4 * sizeof *truth),
           *light = base_allocate((pixels + 1) * 4 * sizeof *light),
           *errors = base_allocate((pixels + 1) * sizeof *errors);
-    int runs = view->runs < 1 ? 1 : view->runs > MOST_RUNS ? MOST_RUNS : view->runs;
-    int truth_runs = recall_truth(view, &jobs[0], truth);
-    bool good = view->runs < 1 || warm_up(frame, view, jobs, truth_runs > 1 ? 0 : 1, count);
-    for (int run = 0; run < runs && good; run++)
-        for (size_t i = run < truth_runs ? 0 : 1; i < count && good && !jobs[0].left_out; i++) {
-            good = jobs[i].left_out || run_once(frame, view, &jobs[i], run);
-            if (jobs[i].left_out)
+    recall_truth(view, &jobs[0], truth);
+    /* one run: of what is too long for two, the truth the longest */
+    bool good = view->runs < 1 || warm_up(frame, view, jobs, view->runs > 1 ? 0 : 1, count);
+    bool remain = true;
+    while (remain && good) {
+        remain = false;
+        for (size_t i = 0; i < count && good && !jobs[0].left_out; i++) {
+            job *j = &jobs[i];
+            if (j->done || j->left_out)
                 continue;
-            if (good && run == 0 && i == 0)
+            good = run_once(frame, view, j);
+            if (!good || j->left_out)
+                continue;
+            if (i == 0 && j->runs == 1)
                 good = keep_truth(frame, view, truth);
-            if (good && run == (i == 0 ? truth_runs : runs) - 1)
-                good = look_at(frame, view, &jobs[i], light, truth, errors, look, context);
+            j->done = has_run_enough(view, j);
+            remain = remain || !j->done;
+            if (good && j->done)
+                good = look_at(frame, view, j, light, truth, errors, look, context);
         }
+    }
     for (size_t i = 0; i < count && good; i++) {
-        size_t count_of = (size_t)(i > 0 ? runs : truth_runs > 0 ? truth_runs : 1);
+        job *j = &jobs[i];
         /* of two the lesser: a scene may be the first to draw what a driver has to compile yet */
-        jobs[i].row.lighting_ms = base_select(jobs[i].ms, count_of, (count_of - 1) / 2);
-        jobs[i].row.truth_ms = jobs[0].row.lighting_ms;
+        j->row.lighting_ms = j->runs > 0 ? base_select(j->ms, j->runs, (j->runs - 1) / 2) : 0.0;
+        j->row.truth_ms = jobs[0].row.lighting_ms;
     }
     if (good && !jobs[0].left_out)
         remember_truth(view, &jobs[0], truth);

@@ -78,7 +78,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, int size_count,
                             .width = sizes[s][0],
                             .height = sizes[s][1],
                             .runs = plan->quick ? 1 : 3,
-                            .truth_once = s > 1, /* half a minute a run */
+                            .enough_ms = 5000.0,
                             .warm = plan->warm};
         if (wanted)
             good = scenes_measure(&view, pipelines, NULL, NULL, table);

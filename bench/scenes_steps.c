@@ -60,7 +60,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, scenes_table *t
                         .width = plan->quick ? 480 : 1280,
                         .height = plan->quick ? 270 : 720,
                         .runs = plan->quick ? 2 : 3,
-                        .truth_once = true,
+                        .enough_ms = 2000.0,
                         .warm = plan->warm,
                         .variants = steps,
                         .variant_count = STEPS};

@@ -11,25 +11,25 @@
 
 enum { MOST_PIPELINES = 32 };
 
-/* Without all, but the one that takes as long as ground truth. */
+/* Without all, but those that take as long as ground truth. */
 static void pipelines_of(bool all, const char *ids[MOST_PIPELINES])
 {
+    static const char *const slow[] = {"exact_unclipped", "upsample_sh2"};
     size_t count = 0;
-    for (size_t i = 0; render_pipelines[i] && count + 1 < MOST_PIPELINES; i++)
-        if (!render_pipelines[i]->shadows &&
-            (all || strcmp(render_pipelines[i]->id, "exact_unclipped") != 0))
+    for (size_t i = 0; render_pipelines[i] && count + 1 < MOST_PIPELINES; i++) {
+        bool wanted = !render_pipelines[i]->shadows;
+        for (size_t k = 0; k < sizeof slow / sizeof *slow; k++)
+            wanted = wanted && (all || strcmp(render_pipelines[i]->id, slow[k]) != 0);
+        if (wanted)
             ids[count++] = render_pipelines[i]->id;
+    }
     ids[count] = NULL;
 }
 
-/* As many as an hour for all, or five minutes of a quick one, leave room for. */
-static int runs_of(const scenes_plan *plan, int size, bool detailed, bool first_view)
+/* As many as five minutes for all leave room for. */
+static int runs_of(const scenes_plan *plan, bool detailed)
 {
-    if (plan->quick)
-        return detailed ? 1 : 2;
-    if (size > 0)
-        return first_view ? 2 : 1;
-    return first_view ? 3 : 2;
+    return plan->quick && detailed ? 1 : plan->quick ? 2 : 3;
 }
 
 static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
@@ -45,7 +45,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
     bool good = true;
     for (int s = 0; s < size_count && good; s++)
         for (int detailed = 0; detailed < 2 && good; detailed++) {
-            /* an hour for all: large pictures of further views on smooth normals and once alone */
+            /* an hour for all: large pictures of further views on smooth normals alone */
             bool brief = s > 0 && !scenes_is_first_view(path);
             base_progress_step(progress, scene.name);
             if (brief && detailed)
@@ -58,8 +58,8 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
                                 .width = sizes[s][0],
                                 .height = sizes[s][1],
                                 .detailed = detailed != 0,
-                                .runs = runs_of(plan, s, detailed != 0, scenes_is_first_view(path)),
-                                .truth_once = true,
+                                .runs = runs_of(plan, detailed != 0),
+                                .enough_ms = 1000.0,
                                 .warm = plan->warm};
             good = scenes_measure(&view, ids, scenes_gallery, shows ? pictures : NULL, table);
         }
