@@ -44,7 +44,7 @@ static bool see(void *context, render_frame *frame, const scenes_row *row, const
     return true;
 }
 
-static gpu_status create_half(render_frame *frame, const void *settings, void **state)
+static gpu_status create_upsample(render_frame *frame, const void *settings, void **state)
 {
     return upsample_create(frame, settings, state);
 }
@@ -54,7 +54,7 @@ static void test_again(scenes_view *view, scenes_table *table)
 {
     static const char *const pipelines[] = {"upsample2", NULL};
     static const upsample_settings settings = {.factor = 2, .plane = 1, .power = 1, .least = 2};
-    scenes_variant all_exact = {"all_exact", &upsample2_pipeline, create_half, &settings};
+    scenes_variant all_exact = {"all_exact", &upsample2_pipeline, create_upsample, &settings};
     scenes_row exact = table->rows[0], half = table->rows[2];
     seen s = {0};
     view->variants = &all_exact;
@@ -85,7 +85,6 @@ static void test_a_view(void **state)
                         .width = WIDTH,
                         .height = HEIGHT,
                         .runs = 3,
-                        .truth_once = true,
                         .known = &known};
     assert_true(scenes_measure(&view, pipelines, see, &s, &table));
     assert_int_equal(table.count, 3);
@@ -104,6 +103,52 @@ static void test_a_view(void **state)
     test_again(&view, &table);
     free(known.light);
     scenes_table_free(&table);
+    render_scene_free(&scene);
+    close_clean(device);
+}
+
+static int counted_runs;
+
+static gpu_status count_run(render_frame *frame, void *state, render_statistics *statistics)
+{
+    counted_runs++;
+    return upsample8_pipeline.run(frame, state, statistics);
+}
+
+/* Runs of a pipeline that count and the one before them, by what is long enough to be the last. */
+static void test_runs(void **state)
+{
+    (void)state;
+    static const char *const none[] = {NULL};
+    static const struct {
+        double enough_ms;
+        int runs;
+    } cases[] = {{0, 4}, {1e9, 4}, {1e-6, 2}};
+    static const upsample_settings settings = {.factor = 8, .plane = 1, .power = 1, .least = 2};
+    render_pipeline counted = upsample8_pipeline;
+    counted.run = count_run;
+    scenes_variant variant = {"counted", &counted, create_upsample, &settings};
+    gpu_device *device = open_software_device();
+    render_scene scene;
+    box(&scene);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        scenes_table table = {0};
+        scenes_view view = {.device = device,
+                            .scene = &scene,
+                            .name = "box",
+                            .width = WIDTH,
+                            .height = HEIGHT,
+                            .runs = 3,
+                            .enough_ms = cases[i].enough_ms,
+                            .variants = &variant,
+                            .variant_count = 1};
+        counted_runs = 0;
+        assert_true(scenes_measure(&view, none, NULL, NULL, &table));
+        assert_int_equal(counted_runs, cases[i].runs);
+        assert_int_equal(table.count, 2);
+        assert_true(table.rows[1].lighting_ms > 0 && table.rows[1].error.rel > 0);
+        scenes_table_free(&table);
+    }
     render_scene_free(&scene);
     close_clean(device);
 }
@@ -203,11 +248,9 @@ static void test_one_part(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_view),
-        cmocka_unit_test(test_the_files),
-        cmocka_unit_test(test_lobes_of_clusters),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_one_part),
+        cmocka_unit_test(test_a_view),    cmocka_unit_test(test_runs),
+        cmocka_unit_test(test_the_files), cmocka_unit_test(test_lobes_of_clusters),
+        cmocka_unit_test(test_refusals),  cmocka_unit_test(test_one_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
