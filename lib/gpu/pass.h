@@ -101,6 +101,8 @@ typedef struct gpu_step {
 
     gpu_image *targets[GPU_MAX_TARGETS];
     gpu_image *depth;
+    uint32_t viewport[2]; /* draw: pixels from -1 to 1 across and down, where not those of the
+                             targets; what lies beyond these is never drawn */
     bool keep; /* draw over what the targets and the depth hold; else they are cleared: to
                   clear_value or clear_bits, depth to 1 */
     float clear_value[4];

@@ -82,7 +82,9 @@ static void begin_rendering(VkCommandBuffer commands, const gpu_step *step)
                                             .clearValue.depthStencil = {1, 0}};
     const gpu_image *any = draw->target_count ? step->targets[0] : step->depth;
     VkRect2D area = {{0, 0}, {any->width, any->height}};
-    VkViewport viewport = {0, 0, (float)any->width, (float)any->height, 0, 1};
+    uint32_t across = step->viewport[0] ? step->viewport[0] : any->width;
+    uint32_t down = step->viewport[1] ? step->viewport[1] : any->height;
+    VkViewport viewport = {0, 0, (float)across, (float)down, 0, 1};
     VkRenderingInfo info = {.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                             .renderArea = area,
                             .layerCount = 1,

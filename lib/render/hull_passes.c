@@ -146,6 +146,15 @@ static void draw_options(bool lobes, gpu_draw_options *options)
     };
 }
 
+/* As hull_position in shaders/hull/position.glsl has it. */
+static uint32_t viewport_side(uint32_t pixels)
+{
+    uint32_t side = 4096;
+    while (side < pixels)
+        side *= 2;
+    return side;
+}
+
 static gpu_step draw_step(const render_frame *f, const hull *h)
 {
     return (gpu_step){
@@ -156,6 +165,7 @@ static gpu_step draw_step(const render_frame *f, const hull *h)
         .indirect = h->buffers[HULL_B_CONTROL],
         .indirect_offset = 4 * HULL_DRAW,
         .targets = {f->light},
+        .viewport = {viewport_side(f->width), viewport_side(f->height)},
     };
 }
 

@@ -4,6 +4,7 @@
 // here, so that four vectors are all that a pixel interpolates.
 #include "../common/frame.glsl"
 #include "vertex_kind.glsl"
+#include "position.glsl"
 
 layout(set = 0, binding = 1, std430) readonly buffer Corners
 {
@@ -22,7 +23,6 @@ layout(location = 4) flat out uint component;
 void main()
 {
     uvec4 corner = corners[gl_VertexIndex];
-    vec2 pixel = vec2(corner.y & 0xffffu, corner.y >> 16) + 0.5;
     ivec2 centre = ivec2(corner.w & 0xffffu, corner.w >> 16);
     Vertex v = vertices[corner.x];
     place = v.place.xyz;
@@ -31,5 +31,5 @@ void main()
     gradients[1] = vec4(v.gradient1.xyz, here.g);
     gradients[2] = vec4(v.gradient2.xyz, here.b);
     component = corner.z;
-    gl_Position = vec4(2.0 * pixel / vec2(view.size.xy) - 1.0, 0.0, 1.0);
+    gl_Position = hull_position(corner.y);
 }

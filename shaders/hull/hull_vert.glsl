@@ -1,6 +1,7 @@
 // hull_vert.glsl: a corner of a triangle of the hull, on the grid of pixels, with its vertex.
 #include "../common/frame.glsl"
 #include "vertex_kind.glsl"
+#include "position.glsl"
 
 layout(set = 0, binding = 1, std430) readonly buffer Corners
 {
@@ -17,8 +18,7 @@ layout(location = VERTEX_VECTORS) flat out uint component;
 void main()
 {
     uvec4 corner = corners[gl_VertexIndex];
-    vec2 pixel = vec2(corner.y & 0xffffu, corner.y >> 16) + 0.5;
     vertex = vertices[corner.x];
     component = corner.z;
-    gl_Position = vec4(2.0 * pixel / vec2(view.size.xy) - 1.0, 0.0, 1.0);
+    gl_Position = hull_position(corner.y);
 }
