@@ -162,6 +162,15 @@ static inline gpu_compute *compile_test(fixture *f, gpu_buffer **kept)
     return test;
 }
 
+/* The same for fragments of level 1. */
+static inline gpu_compute *compile_quads(fixture *f)
+{
+    static const gpu_binding buffer = GPU_STORAGE_BUFFER;
+    gpu_compute *quads;
+    must(multires_compute(&f->frame, "multires/quads.comp", &buffer, &quads));
+    return quads;
+}
+
 /* The pyramids and the first fragments. */
 static inline void run_first(fixture *f, multires *m)
 {

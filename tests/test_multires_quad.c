@@ -17,9 +17,10 @@ static void pixels_alone_are_true(void **state)
     multires m;
     run_first(&f, &m);
     gpu_buffer *between;
-    gpu_compute *test = compile_test(&f, &between);
+    gpu_compute *test = compile_test(&f, &between), *quads = compile_quads(&f);
     for (int l = 4; l > 0; l--) {
-        gpu_step step = multires_list_step(&f.frame, &m, "test", test, l, l, between);
+        gpu_compute *pass = l > 1 ? test : quads;
+        gpu_step step = multires_list_step(&f.frame, &m, "test", pass, l, l, between);
         must(gpu_run(f.device, &step, 1, NULL));
     }
     float mean;
@@ -40,6 +41,7 @@ static void pixels_alone_are_true(void **state)
     assert_true(alone > 1000 && shared > 200);
     assert_true(same > alone * 3 / 4 && near > alone - alone / 100);
     gpu_compute_destroy(test);
+    gpu_compute_destroy(quads);
     gpu_buffer_destroy(between);
     multires_destroy(&m);
     free(truth);

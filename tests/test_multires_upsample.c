@@ -7,7 +7,7 @@ enum { WIDTH = 152, HEIGHT = 98 };
 
 typedef struct full_run {
     multires m;
-    gpu_compute *test, *additional, *upsample;
+    gpu_compute *test, *quads, *additional, *upsample;
     gpu_buffer *kept;
     float *light;
 } full_run;
@@ -18,11 +18,13 @@ static full_run run_all(fixture *f)
     full_run r;
     run_first(f, &r.m);
     r.test = compile_test(f, &r.kept);
+    r.quads = compile_quads(f);
     must(multires_compute(&f->frame, "multires/additional.comp", NULL, &r.additional));
     must(multires_compute(&f->frame, "multires/upsample.comp", &image, &r.upsample));
     gpu_step steps[6];
     for (int l = 4; l > 0; l--)
-        steps[4 - l] = multires_list_step(&f->frame, &r.m, "test", r.test, l, l, r.kept);
+        steps[4 - l] =
+            multires_list_step(&f->frame, &r.m, "test", l > 1 ? r.test : r.quads, l, l, r.kept);
     steps[4] = multires_list_step(&f->frame, &r.m, "additional", r.additional, 0, 0, NULL);
     steps[5] = multires_step(&f->frame, &r.m, "upsample", r.upsample, 0, f->frame.light);
     steps[5].groups[0] = (f->frame.width + 15) / 16;
@@ -36,6 +38,7 @@ static full_run run_all(fixture *f)
 static void close_run(full_run *r)
 {
     gpu_compute_destroy(r->test);
+    gpu_compute_destroy(r->quads);
     gpu_compute_destroy(r->additional);
     gpu_compute_destroy(r->upsample);
     gpu_buffer_destroy(r->kept);

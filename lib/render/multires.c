@@ -9,6 +9,7 @@
 typedef struct state {
     multires m;
     gpu_compute *test, *additional, *upsample;
+    gpu_compute *quads;  /* tests of four pixels that share what they see; else NULL */
     gpu_buffer *kept;    /* by test.comp between its dispatches */
     bool all_points;     /* an invocation may trace 64 rays to a light, not 16 */
     uint32_t at_once;    /* lights in a dispatch, where each has 16 rays */
@@ -21,6 +22,7 @@ static void destroy(void *pointer)
 {
     state *s = pointer;
     gpu_compute_destroy(s->test);
+    gpu_compute_destroy(s->quads);
     gpu_compute_destroy(s->additional);
     gpu_compute_destroy(s->upsample);
     gpu_buffer_destroy(s->kept);
@@ -75,7 +77,8 @@ static void make_steps(render_frame *frame, state *s)
     multires_push *next = s->push;
     s->step_count = multires_begin(frame, &s->m, s->steps);
     for (int l = RENDER_LEVELS - 1; l > 0; l--) {
-        gpu_step step = multires_list_step(frame, &s->m, names[l], s->test, l, l, s->kept);
+        gpu_compute *test = l == 1 && s->quads ? s->quads : s->test;
+        gpu_step step = multires_list_step(frame, &s->m, names[l], test, l, l, s->kept);
         multires_push push = s->m.push[l];
         uint32_t rounds = push.last_round, at_once = lights_at_once(s, l);
         bool together = s->m.shadows.light_count * rounds <= at_once;
@@ -124,6 +127,10 @@ gpu_status multires_create_state(render_frame *frame, const multires_settings *s
         status = multires_compute(
             frame, settings->lobes ? "multires/test_lobe.comp" : "multires/test.comp", &buffer,
             &s->test);
+    if (status == GPU_OK && settings->points == MULTIRES_BOTH)
+        status = multires_compute(
+            frame, settings->lobes ? "multires/quads_lobe.comp" : "multires/quads.comp", &buffer,
+            &s->quads);
     if (status == GPU_OK)
         status = multires_compute(
             frame, settings->lobes ? "multires/additional_lobe.comp" : "multires/additional.comp",

@@ -11,6 +11,23 @@ uint point_on(uint square)
     return ((cell - x - 2u * y) & 3u) * 16u + 4u * y + x;
 }
 
+uint count_squares(uvec2 board)
+{
+    return uint(bitCount(board.x) + bitCount(board.y));
+}
+
+// Of a board that is not empty.
+uint first_square(uvec2 board)
+{
+    return uint(findLSB(board.x != 0u ? board.x : board.y)) + (board.x != 0u ? 0u : 32u);
+}
+
+uvec2 without_first(uvec2 board)
+{
+    return board.x != 0u ? uvec2(board.x & (board.x - 1u), board.y)
+                         : uvec2(0u, board.y & (board.y - 1u));
+}
+
 // The squares of a set of 16 points.
 uvec2 squares_of(uint set)
 {

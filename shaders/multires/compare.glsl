@@ -15,38 +15,34 @@ struct Found {
 };
 
 struct Seen { // of one light, by the four
-    uint bits[4];
-    vec2 together; // weights of what is visible, and of all
-    float worth;   // of the light where it is worth most, see worth_of
+    uint counts[4];  // of visible points
+    uvec2 any, all;  // squares that one of them sees, and that each does
+    vec2 together;   // weights of what is visible, and of all
+    float worth;     // of the light where it is worth most, see worth_of
 };
 
 const float TOO_MUCH = 1e9; // of Found.differ
 
-uint steepest_of(Seen seen)
+uint step_after(Seen seen, uint sub) // to the next one around
 {
-    uint steepest = 0u;
-    for (uint i = 0u; i < 4u; i++)
-        steepest = max(steepest,
-                       uint(abs(bitCount(seen.bits[i]) - bitCount(seen.bits[(i + 1u) & 3u]))));
-    return steepest;
+    return uint(abs(int(seen.counts[sub]) - int(seen.counts[(sub + 1u) & 3u])));
 }
 
-// joined: of 16 points each. Returns whether some of the light is visible, but not all.
+// Of 16 points from each. joined: other ones. Returns whether some of the light is visible, but not
+// all.
 bool compare(uint light, bool joined, Seen seen, inout Found found)
 {
-    uint all = 0xffffu, any = 0u;
+    bool whole = true, some = seen.any != uvec2(0u);
     for (uint i = 0u; i < 4u; i++) {
-        uint next = seen.bits[(i + 1u) & 3u];
-        all &= seen.bits[i];
-        any |= seen.bits[i];
-        uint gradient = uint(abs(bitCount(seen.bits[i]) - bitCount(next)));
-        if (gradient > steep && float(gradient) * seen.worth > 16.0 * tolerance)
+        uint gradient = step_after(seen, i);
+        whole = whole && seen.counts[i] == AREA_FEW;
+        if (gradient > steep && float(gradient) * seen.worth > float(AREA_FEW) * tolerance)
             found.twice |= 1u << i | 1u << ((i + 1u) & 3u);
     }
-    bool part = any != 0u && all != 0xffffu;
-    uint differ = joined && part ? 16u : joined ? 0u : bitCount(any & ~all);
-    found.differ += differ >= differing ? float(differ) * seen.worth / 16.0 : 0.0;
-    found.lit |= any != 0u ? 1u << (light & 31u) : 0u;
+    bool part = some && !whole;
+    uint differ = joined ? part ? AREA_FEW : 0u : count_squares(seen.any & ~seen.all);
+    found.differ += differ >= differing ? float(differ) * seen.worth / float(AREA_FEW) : 0.0;
+    found.lit |= some ? 1u << (light & 31u) : 0u;
     return part;
 }
 

@@ -22,8 +22,13 @@ void look(uint tile, uint tile_count)
         uint light = (tile * lights_here + i) % light_count;
         float form = area_form_factor(light, s);
         vec2 seen = vec2(0.0);
-        if (form > 0.0)
-            see_set(light, s, tile & 3u, seen, rays);
+        for (uint k = 0u; k < 16u && form > 0.0; k++) {
+            uint point = (tile & 3u) * 16u + k;
+            float weight = area_weight(light, point, s);
+            rays += weight > 0.0 ? 1u : 0u;
+            seen.y += weight;
+            seen.x += weight > 0.0 && area_sees(light, point, s) ? weight : 0.0;
+        }
         sum += seen.x > 0.0 ? areas[light].exitance.rgb * (form * seen.x / seen.y) : vec3(0.0);
     }
     trace_gave_up = trace_gave_up || (there && i < lights_here);

@@ -19,6 +19,7 @@
 #include "compare.glsl"
 #include "outcome.glsl"
 #include "lobe.glsl"
+#include "queue.glsl"
 
 layout(local_size_x = 64) in; // 16 fragments of four sub-fragments
 
@@ -31,8 +32,12 @@ struct Sub {
     bool own;         // it looked at all points of one of them
 };
 
-#include "sub.glsl"
+#include "share.glsl"
+#ifdef MULTIRES_QUADS
 #include "quad.glsl"
+#else
+#include "sub.glsl"
+#endif
 
 void finish(uint entry, uvec2 at, bool taken, bool there, Sub sub)
 {
@@ -78,12 +83,7 @@ void main()
             sub.light = vec3(0.0);
             sub.half_light = 0.0;
         }
-        if (level == 1u && points == POINTS_BOTH)
-            quad_light(light, one_surface, s, sub, rays);
-        else if (round == 0u)
-            test_light(light, points == POINTS_APART && one_surface, s, sub, rays);
-        else
-            look_again(light, s, corner, sub, rays);
+        look_at_light(light, round, one_surface, s, corner, sub, rays);
     }
     trace_gave_up = trace_gave_up || i < turns;
     if (last_light == light_count && last_round == rounds) {

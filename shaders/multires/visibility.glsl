@@ -1,27 +1,26 @@
-// visibility.glsl: how one place sees a light: an invocation traces all its rays, so that neighbours
-// follow much the same way through the tree.
+// visibility.glsl: what a light is worth at a place, and what its points weigh there.
 #ifndef VISIBILITY_GLSL
 #define VISIBILITY_GLSL
 
+#include "changes.glsl"
+
 const float BRIGHT = 0.3; // worth above which a light is looked at by all points
 
-// Adds a set of 16 of the 64 points. Returns the bits of those that are visible.
-uint see_set(uint light, Surface s, uint set, inout vec2 weights, inout uint rays)
+// Of the points on some squares, those that give a surface light. weight: of all of them together.
+uvec2 facing(uint light, Surface s, uvec2 squares, out float weight)
 {
-    uint bits = 0u, i = 0u;
-    for (; i < 16u; i++) {
-        float weight = area_weight(light, set * 16u + i, s);
-        weights.y += weight;
-        if (weight > 0.0) {
-            rays++;
-            if (area_sees(light, set * 16u + i, s)) {
-                weights.x += weight;
-                bits |= 1u << i;
-            }
-        }
+    uvec2 left = squares, faced = uvec2(0u);
+    weight = 0.0;
+    while (any(notEqual(left, uvec2(0u)))) {
+        uint square = first_square(left);
+        uvec2 rest = without_first(left);
+        float one = area_weight(light, point_on(square), s);
+        weight += one;
+        faced |= one > 0.0 ? left & ~rest : uvec2(0u);
+        left = rest;
     }
-    trace_gave_up = trace_gave_up || i < 16u;
-    return bits;
+    trace_gave_up = trace_gave_up || any(notEqual(left, uvec2(0u)));
+    return faced;
 }
 
 // What a light gives without shadow, the mean of the channels over the image's mean irradiance.
@@ -30,11 +29,6 @@ float worth_of(uint light, float form)
     vec3 open = areas[light].exitance.rgb * form;
     float mean = uintBitsToFloat(work[MEAN].groups[0]), value = (open.r + open.g + open.b) / 3.0;
     return mean > 0.0 ? value / mean : value > 0.0 ? 1e9 : 0.0;
-}
-
-bool in_part(uint bits)
-{
-    return bits != 0u && bits != 0xffffu;
 }
 
 #endif

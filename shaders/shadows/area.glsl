@@ -80,12 +80,17 @@ float area_weight(uint light, uint point, Surface s)
     return dot(d, s.face) > 0.0 ? weight / (d2 * d2) : 0.0;
 }
 
-// Nothing between a surface and a point of a light; one ray.
+// Nothing between where rays of a surface begin and a point of a light; one ray.
+bool area_sees_from(uint light, uint point, vec3 origin)
+{
+    vec3 d = area_points[AREA_POINTS * light + point].xyz - origin;
+    Ray ray = trace_ray(origin, d, 1.0);
+    return trace_scene(ray, root, true) == TRACE_NONE;
+}
+
 bool area_sees(uint light, uint point, Surface s)
 {
-    vec3 d = area_points[AREA_POINTS * light + point].xyz - s.origin;
-    Ray ray = trace_ray(s.origin, d, 1.0);
-    return trace_scene(ray, root, true) == TRACE_NONE;
+    return area_sees_from(light, point, s.origin);
 }
 
 // At the end of every pass that traces.
