@@ -2,6 +2,8 @@
  * so that a subtree lies together. */
 #include "bvh.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,26 +66,67 @@ static const float *corner(const render_scene *scene, uint32_t triangle, int i)
     return scene->positions + 3 * (size_t)scene->indices[3 * (size_t)triangle + (size_t)i];
 }
 
-static void bound(const render_scene *scene, struct RTCBuildPrimitive *primitives)
+/* Of each triangle; low and high: of the scene. */
+static void bound(const render_scene *scene, struct RTCBuildPrimitive *primitives, float low[3],
+                  float high[3])
 {
+    for (int k = 0; k < 3; k++) {
+        low[k] = FLT_MAX;
+        high[k] = -FLT_MAX;
+    }
     for (uint32_t t = 0; t < scene->triangle_count; t++) {
-        float low[3], high[3];
-        memcpy(low, corner(scene, t, 0), sizeof low);
-        memcpy(high, low, sizeof high);
-        for (int i = 1; i < 3; i++)
-            for (int k = 0; k < 3; k++) {
-                float x = corner(scene, t, i)[k];
-                low[k] = x < low[k] ? x : low[k];
-                high[k] = x > high[k] ? x : high[k];
-            }
-        primitives[t] =
-            (struct RTCBuildPrimitive){low[0], low[1], low[2], 0, high[0], high[1], high[2], t};
+        float l[3], h[3];
+        for (int k = 0; k < 3; k++) {
+            float a = corner(scene, t, 0)[k], b = corner(scene, t, 1)[k],
+                  c = corner(scene, t, 2)[k];
+            l[k] = fminf(a, fminf(b, c));
+            h[k] = fmaxf(a, fmaxf(b, c));
+            low[k] = fminf(low[k], l[k]);
+            high[k] = fmaxf(high[k], h[k]);
+        }
+        primitives[t] = (struct RTCBuildPrimitive){l[0], l[1], l[2], 0, h[0], h[1], h[2], t};
     }
 }
 
 static void put_word(float *to, uint32_t word)
 {
     memcpy(to, &word, sizeof word);
+}
+
+/* What origin + steps * step may be off by on the device, twice rounded, and more. */
+static double margin(const float *grid, int k)
+{
+    return 0x1p-22 * (fabs((double)grid[k]) + 65535.0 * (double)grid[3 + k]);
+}
+
+/* 65535 steps of the grid reach over the scene with its margins. */
+static void lay_grid(uint32_t *words, const float low[3], const float high[3])
+{
+    float grid[8] = {0};
+    for (int k = 0; k < 3; k++) {
+        double size = (double)high[k] - (double)low[k],
+               least = 0x1p-20 * fmax(fabs((double)low[k]), fabs((double)high[k]));
+        grid[k] = (float)((double)low[k] - least);
+        grid[3 + k] = (float)fmax((size + 3 * least) / 65000, 1e-30);
+    }
+    memcpy(words, grid, sizeof grid);
+}
+
+static uint32_t clamp_steps(double steps)
+{
+    return (uint32_t)fmin(fmax(steps, 0), 65535);
+}
+
+static void put_box(const uint32_t *nodes, const float low[3], const float high[3], uint32_t *to)
+{
+    float grid[8];
+    memcpy(grid, nodes, sizeof grid);
+    for (int k = 0; k < 3; k++) {
+        double origin = (double)grid[k], step = (double)grid[3 + k], m = margin(grid, k);
+        uint32_t from = clamp_steps(floor(((double)low[k] - m - origin) / step));
+        uint32_t up_to = clamp_steps(ceil(((double)high[k] + m - origin) / step));
+        to[k] = from | up_to << 16;
+    }
 }
 
 static uint32_t flatten_leaf(const render_scene *scene, const tree_node *node, render_bvh *bvh)
@@ -99,25 +142,42 @@ static uint32_t flatten_leaf(const render_scene *scene, const tree_node *node, r
     return RENDER_BVH_LEAF | (uint32_t)first << 3 | (node->count - 1);
 }
 
-/* Recursion as deep as the tree: RENDER_BVH_DEPTH at most. */
+static uint32_t flatten(const render_scene *scene, const tree_node *node, uint32_t depth,
+                        render_bvh *bvh);
+
+static void flatten_child(const render_scene *scene, const tree_node *child, const float *low,
+                          const float *high, uint32_t depth, render_bvh *bvh, size_t at, int i)
+{
+    uint32_t *to = bvh->nodes + 8 * at;
+    put_box(bvh->nodes, low, high, to + 3 * i);
+    to[6 + i] =
+        child->count > 0 ? flatten_leaf(scene, child, bvh) : flatten(scene, child, depth + 1, bvh);
+}
+
+/* An inner node. Recursion as deep as the tree: RENDER_BVH_DEPTH at most. */
 static uint32_t flatten(const render_scene *scene, const tree_node *node, uint32_t depth,
                         render_bvh *bvh)
 {
-    if (node->count > 0)
-        return flatten_leaf(scene, node, bvh);
-    uint32_t at = (uint32_t)bvh->node_count++;
+    size_t at = bvh->node_count++;
     if (depth + 1 > bvh->depth)
         bvh->depth = depth + 1;
-    float *to = bvh->nodes + 16 * (size_t)at;
-    for (int i = 0; i < 2; i++) {
-        memcpy(to + 8 * i, node->low[i], 12);
-        memcpy(to + 8 * i + 4, node->high[i], 12);
-    }
-    put_word(to + 11, 0);
-    put_word(to + 15, 0);
-    put_word(to + 3, flatten(scene, node->child[0], depth + 1, bvh));
-    put_word(to + 7, flatten(scene, node->child[1], depth + 1, bvh));
-    return at;
+    for (int i = 0; i < 2; i++)
+        flatten_child(scene, node->child[i], node->low[i], node->high[i], depth, bvh, at, i);
+    return (uint32_t)at;
+}
+
+/* A root that is a leaf becomes the one child of an inner node. */
+static uint32_t flatten_root(const render_scene *scene, const tree_node *root, const float *low,
+                             const float *high, render_bvh *bvh)
+{
+    if (root->count == 0)
+        return flatten(scene, root, 0, bvh);
+    size_t at = bvh->node_count++;
+    flatten_child(scene, root, low, high, 0, bvh, at, 0);
+    uint32_t *node = bvh->nodes + 8 * at;
+    memcpy(node + 3, node, 12);
+    node[7] = RENDER_BVH_EMPTY;
+    return (uint32_t)at;
 }
 
 static gpu_status build(const render_scene *scene, RTCDevice device, RTCBVH tree,
@@ -133,12 +193,14 @@ static gpu_status build(const render_scene *scene, RTCDevice device, RTCBVH tree
     arguments.setNodeChildren = set_children;
     arguments.setNodeBounds = set_bounds;
     arguments.createLeaf = make_leaf;
-    bound(scene, primitives);
+    float low[3], high[3];
+    bound(scene, primitives, low, high);
+    lay_grid(bvh->nodes, low, high);
     const tree_node *root = rtcBuildBVH(&arguments);
     if (!root)
         return gpu_fail(GPU_FAILED, "Embree cannot build a tree of %zu triangles (error %d)",
                         scene->triangle_count, (int)rtcGetDeviceError(device));
-    bvh->root = flatten(scene, root, 0, bvh);
+    bvh->root = flatten_root(scene, root, low, high, bvh);
     return GPU_OK;
 }
 
@@ -149,7 +211,8 @@ static gpu_status build_with_embree(const render_scene *scene, render_bvh *bvh)
     RTCBVH tree = device ? rtcNewBVH(device) : NULL;
     struct RTCBuildPrimitive *primitives =
         aligned_alloc(32, scene->triangle_count * sizeof *primitives);
-    bvh->nodes = malloc(16 * sizeof(float) * scene->triangle_count);
+    bvh->node_count = 1; /* the grid */
+    bvh->nodes = malloc(8 * sizeof(uint32_t) * (scene->triangle_count + 1));
     bvh->triangles = malloc(12 * sizeof(float) * scene->triangle_count);
     gpu_status status;
     if (!tree)
@@ -176,15 +239,25 @@ static gpu_status build_with_embree(const render_scene *scene, render_bvh *bvh)
 
 #endif
 
+static gpu_status build_empty(render_bvh *bvh)
+{
+    bvh->nodes = calloc(16, sizeof *bvh->nodes);
+    if (!bvh->nodes)
+        return gpu_fail(GPU_OUT_OF_MEMORY, "the tree of boxes: out of host memory");
+    bvh->nodes[14] = bvh->nodes[15] = RENDER_BVH_EMPTY;
+    bvh->node_count = 2;
+    bvh->root = bvh->depth = 1;
+    return GPU_OK;
+}
+
 gpu_status render_bvh_build(const render_scene *scene, render_bvh *bvh)
 {
     *bvh = (render_bvh){.root = RENDER_BVH_EMPTY};
     if (scene->triangle_count > RENDER_BVH_MOST)
         return gpu_fail(GPU_UNSUPPORTED, "shadows: %zu triangles are more than %d",
                         scene->triangle_count, RENDER_BVH_MOST);
-    if (scene->triangle_count == 0)
-        return GPU_OK;
-    gpu_status status = build_with_embree(scene, bvh);
+    gpu_status status =
+        scene->triangle_count == 0 ? build_empty(bvh) : build_with_embree(scene, bvh);
     if (status != GPU_OK)
         render_bvh_free(bvh);
     return status;

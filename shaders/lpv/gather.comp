@@ -29,15 +29,13 @@ layout(set = 0, binding = 11, std430) readonly buffer Emitters { Emitter emitter
 
 vec3 from_light(uint light, Surface s, inout uint rays)
 {
-    float form = area_form_factor(light, s), seen = 0.0, all = 0.0;
-    uint i = 0u, last = form > 0.0 ? points : 0u;
+    float form = s.there ? area_form_factor(light, s) : 0.0, seen = 0.0, all = 0.0;
+    uint i = 0u, last = trace_any(form > 0.0) ? points : 0u;
     for (; i < last; i++) {
-        float weight = area_weight(light, i, s);
+        float weight = form > 0.0 ? area_weight(light, i, s) : 0.0;
         all += weight;
-        if (weight > 0.0) {
-            rays++;
-            seen += area_sees(light, i, s) ? weight : 0.0;
-        }
+        rays += weight > 0.0 ? 1u : 0u;
+        seen += area_sees(light, i, s, weight > 0.0) ? weight : 0.0;
     }
     trace_gave_up = trace_gave_up || i < last;
     return seen > 0.0 ? areas[light].exitance.rgb * (form * seen / all) : vec3(0.0);
@@ -49,12 +47,11 @@ vec3 from_emitter(uint emitter, Surface s, inout uint rays)
     Emitter e = emitters[emitter];
     vec3 d = e.position.xyz - s.position;
     float square = dot(d, d), facing = -dot(d, e.normal.xyz), above = dot(d, s.normal);
-    if (facing <= 0.0 || above <= 0.0 || dot(d, s.face) <= 0.0)
-        return vec3(0.0);
-    rays++;
+    bool wanted = s.there && facing > 0.0 && above > 0.0 && dot(d, s.face) > 0.0;
+    rays += wanted ? 1u : 0u;
     vec3 end = e.position.xyz + (s.origin - s.position) * 0.5 - s.origin;
-    Ray ray = trace_ray(s.origin, end, 0.999);
-    if (trace_scene(ray, root, true) != TRACE_NONE)
+    Ray ray = trace_ray(s.origin, end, wanted ? 0.999 : -1.0);
+    if (trace_scene(ray, root, true) != TRACE_NONE || !wanted)
         return vec3(0.0);
     return e.flux.rgb * (above * facing / (PI * square * (square + e.position.w)));
 }
@@ -74,11 +71,11 @@ void main()
     s.there = inside;
     vec3 irradiance = vec3(0.0);
     uint light = first_light, emitter = 0u;
-    for (; inside && light < last_light; light++)
+    for (; light < last_light; light++)
         irradiance += from_light(light, s, rays);
-    for (; inside && emitter < emitter_count; emitter++)
+    for (; emitter < emitter_count; emitter++)
         irradiance += from_emitter(emitter, s, rays);
-    trace_gave_up = trace_gave_up || (inside && (light < last_light || emitter < emitter_count));
+    trace_gave_up = trace_gave_up || light < last_light || emitter < emitter_count;
     if (inside) {
         vec4 before = add != 0u ? reflected[index] : vec4(0.0);
         reflected[index] = before + vec4(at.albedo.rgb * irradiance, 0.0);

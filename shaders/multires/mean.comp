@@ -18,20 +18,20 @@ void look(uint tile, uint tile_count)
     Surface s = surface_at(ivec2(16u * at + 8u));
     vec3 sum = vec3(0.0);
     bool there = tile < tile_count && s.there;
-    for (; there && i < lights_here; i++) {
+    for (; i < lights_here; i++) {
         uint light = (tile * lights_here + i) % light_count;
-        float form = area_form_factor(light, s);
+        float form = there ? area_form_factor(light, s) : 0.0;
         vec2 seen = vec2(0.0);
-        for (uint k = 0u; k < 16u && form > 0.0; k++) {
+        for (uint k = 0u; k < 16u; k++) {
             uint point = (tile & 3u) * 16u + k;
-            float weight = area_weight(light, point, s);
+            float weight = form > 0.0 ? area_weight(light, point, s) : 0.0;
             rays += weight > 0.0 ? 1u : 0u;
             seen.y += weight;
-            seen.x += weight > 0.0 && area_sees(light, point, s) ? weight : 0.0;
+            seen.x += area_sees(light, point, s, weight > 0.0) ? weight : 0.0;
         }
         sum += seen.x > 0.0 ? areas[light].exitance.rgb * (form * seen.x / seen.y) : vec3(0.0);
     }
-    trace_gave_up = trace_gave_up || (there && i < lights_here);
+    trace_gave_up = trace_gave_up || i < lights_here;
     sum *= float(light_count) / float(max(lights_here, 1u));
     if (tile < tile_count) // w: still NOTHING
         illumination[fragment_index(TOP, at)] =

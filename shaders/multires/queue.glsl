@@ -89,9 +89,9 @@ void queue_trace(uint light)
         }
         barrier();
         uint last = min(all - before, QUEUE), i = mine;
-        for (; i < last; i += 64u) {
-            uint place = queue_rays[i] & 63u, square = queue_rays[i] >> 6;
-            if (area_sees_from(light, point_on(square), queue_origins[place]))
+        for (; trace_any(i < last); i += 64u) {
+            uint entry = i < last ? queue_rays[i] : 0u, place = entry & 63u, square = entry >> 6;
+            if (area_sees_from(light, point_on(square), queue_origins[place], i < last))
                 atomicOr(queue_seen[place + 2u * (square & 32u)], 1u << (square & 31u));
         }
         trace_gave_up = trace_gave_up || i < last;

@@ -12,17 +12,15 @@ layout(local_size_x = 64) in;
 vec3 light_fragment(uint light, Surface s, out uvec2 bits, inout uint rays)
 {
     float form = s.there ? area_form_factor(light, s) : 0.0, seen = 0.0, all = 0.0;
-    uint i = 0u, last = form > 0.0 ? AREA_POINTS : 0u;
+    uint i = 0u, last = trace_any(form > 0.0) ? AREA_POINTS : 0u;
     bits = uvec2(0u);
     for (; i < last; i++) {
-        float weight = area_weight(light, i, s);
+        float weight = form > 0.0 ? area_weight(light, i, s) : 0.0;
         all += weight;
-        if (weight > 0.0) {
-            rays++;
-            if (area_sees(light, i, s)) {
-                seen += weight;
-                bits |= uvec2(i < 32u ? 1u << i : 0u, i < 32u ? 0u : 1u << (i - 32u));
-            }
+        rays += weight > 0.0 ? 1u : 0u;
+        if (area_sees(light, i, s, weight > 0.0)) {
+            seen += weight;
+            bits |= uvec2(i < 32u ? 1u << i : 0u, i < 32u ? 0u : 1u << (i - 32u));
         }
     }
     trace_gave_up = trace_gave_up || i < last;

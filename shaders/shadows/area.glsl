@@ -80,17 +80,18 @@ float area_weight(uint light, uint point, Surface s)
     return dot(d, s.face) > 0.0 ? weight / (d2 * d2) : 0.0;
 }
 
-// Nothing between where rays of a surface begin and a point of a light; one ray.
-bool area_sees_from(uint light, uint point, vec3 origin)
+// Nothing between where rays of a surface begin and a point of a light; one ray, where it is wanted.
+// All invocations of a subgroup call it together.
+bool area_sees_from(uint light, uint point, vec3 origin, bool wanted)
 {
     vec3 d = area_points[AREA_POINTS * light + point].xyz - origin;
-    Ray ray = trace_ray(origin, d, 1.0);
-    return trace_scene(ray, root, true) == TRACE_NONE;
+    Ray ray = trace_ray(origin, d, wanted ? 1.0 : -1.0);
+    return trace_scene(ray, root, true) == TRACE_NONE && wanted;
 }
 
-bool area_sees(uint light, uint point, Surface s)
+bool area_sees(uint light, uint point, Surface s, bool wanted)
 {
-    return area_sees_from(light, point, s.origin);
+    return area_sees_from(light, point, s.origin, wanted);
 }
 
 // At the end of every pass that traces.

@@ -23,11 +23,13 @@ layout(set = 0, binding = 3, std430) writeonly buffer Hits { uvec2 hits[]; };
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= count)
-        return;
-    Ray ray = trace_ray(rays[i].origin.xyz, rays[i].direction.xyz, rays[i].origin.w);
+    bool there = i < count;
+    uint of = there ? i : 0u;
+    Ray ray = trace_ray(rays[of].origin.xyz, rays[of].direction.xyz,
+                        there ? rays[of].origin.w : -1.0);
     uint found = trace_scene(ray, root, any != 0u);
     if (found != TRACE_NONE)
-        found = floatBitsToUint(trace_triangles[3u * found].w);
-    hits[i] = uvec2(found, floatBitsToUint(ray.far));
+        found = floatBitsToUint(trace_triangles[12u * found + 3u]);
+    if (there)
+        hits[i] = uvec2(found, floatBitsToUint(ray.far));
 }
