@@ -46,17 +46,18 @@ static gpu_status create_passes(render_frame *frame, hull *h)
     static const hull_pass shared[] = {HULL_TREE_IMAGE, HULL_MEAN_SAMPLES, HULL_MEAN_SUM,
                                        HULL_NEXT,       HULL_CULL_TILE,    HULL_CULL,
                                        HULL_NEAR,       HULL_EXACT};
-    static const hull_pass moments[] = {HULL_LINKS, HULL_COMPONENTS, HULL_CLAIM, HULL_GATHER,
-                                        HULL_SPLIT, HULL_PART,       HULL_EMIT};
+    static const hull_pass moments[] = {HULL_LINKS,  HULL_COMPONENTS, HULL_CLAIM,
+                                        HULL_GATHER, HULL_SPLIT,      HULL_PART,
+                                        HULL_SHARE,  HULL_BLEND,      HULL_EMIT};
     static const hull_pass lobes[] = {HULL_LINKS,        HULL_COMPONENTS,  HULL_CLAIM,
                                       HULL_GATHER_LOBES, HULL_SPLIT_LOBES, HULL_PART,
-                                      HULL_EMIT};
+                                      HULL_SHARE,        HULL_BLEND_LOBES, HULL_EMIT};
     const hull_pass upsample[] = {HULL_BOUNDS, h->push.tau > 0 ? HULL_GATHER_FAR : HULL_GATHER_ALL,
                                   HULL_UPSAMPLE_FAR};
     const hull_pass *own = h->kind == HULL_UPSAMPLE ? upsample
                            : h->kind == HULL_LOBES  ? lobes
                                                     : moments;
-    int own_count = h->kind == HULL_UPSAMPLE ? 3 : 7;
+    int own_count = h->kind == HULL_UPSAMPLE ? 3 : 9;
     gpu_status status = GPU_OK;
     for (int i = 0; status == GPU_OK && i < 8; i++)
         status = hull_create_pass(frame, h, shared[i]);
@@ -130,6 +131,11 @@ static void add_hull(hull_list *l)
         hull_add(l, "next", HULL_NEXT, level);
         hull_add_indirect(l, "gather", lobes ? HULL_GATHER_LOBES : HULL_GATHER, level,
                           HULL_GATHER_GROUPS);
+        if (level > 0) {
+            hull_add_indirect(l, "blend", HULL_SHARE, level, HULL_CLAIM_GROUPS);
+            hull_add_indirect(l, "blend", lobes ? HULL_BLEND_LOBES : HULL_BLEND, level,
+                              HULL_CLAIM_GROUPS);
+        }
         hull_add_indirect(l, "split", lobes ? HULL_SPLIT_LOBES : HULL_SPLIT, level,
                           HULL_SPLIT_GROUPS);
         hull_add(l, "next", HULL_NEXT, level);

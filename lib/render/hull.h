@@ -15,6 +15,7 @@ enum {
     HULL_MOST_NEAR = 64,
     HULL_MOST_TILE = 255,
     HULL_VERTEX_BYTES = 13 * 16,
+    HULL_QUAD_BYTES = 3 * 16,
     HULL_SAMPLE_BYTES = 12 * 16,
     HULL_MEAN_ROWS = 9 /* of 32 samples */
 };

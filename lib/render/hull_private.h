@@ -48,6 +48,8 @@ typedef enum hull_pass {
     HULL_GATHER,
     HULL_SPLIT,
     HULL_PART,
+    HULL_SHARE,
+    HULL_BLEND,
     HULL_EMIT,
     HULL_CULL_TILE,
     HULL_CULL,
@@ -55,6 +57,7 @@ typedef enum hull_pass {
     HULL_EXACT,
     HULL_GATHER_LOBES,
     HULL_SPLIT_LOBES,
+    HULL_BLEND_LOBES,
     HULL_BOUNDS,
     HULL_GATHER_FAR,
     HULL_GATHER_ALL,
@@ -73,7 +76,8 @@ typedef enum hull_buffer {
     HULL_B_MAP,        /* a word a pixel */
     HULL_B_VERTEX_PIXELS,
     HULL_B_VERTICES,
-    HULL_B_QUADS, /* 32 bytes each */
+    HULL_B_SHARES, /* a word a vertex */
+    HULL_B_QUADS,  /* HULL_QUAD_BYTES each */
     HULL_B_LEAVES,
     HULL_B_CORNERS, /* 16 bytes each */
     HULL_B_EVEN_CORNERS,

@@ -38,6 +38,10 @@ layout(set = 0, binding = 8, std430) writeonly buffer Exact
 {
     uint exact_pixels[];
 };
+layout(set = 0, binding = 9, std430) writeonly buffer Shares
+{
+    uint shares[]; // see blend.glsl
+};
 
 #include "member.glsl"
 

@@ -46,6 +46,8 @@ struct Quad {
     uint size;     // width + 256 rank + height * 65536 + 2^24 (which of its four parts to make)
     uint centre;   // pixels, x + y * 65536
     uvec4 corners; // left top, right top, left bottom, right bottom
+    uint parent;   // the quad that it is a part of; of level 0: nothing
+    float own;     // see blend.glsl: how much of their own its parts' new vertices have, 0 to 1
 };
 
 uint pack_pixel(ivec2 p)

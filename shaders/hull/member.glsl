@@ -1,5 +1,5 @@
 // member.glsl: finding and claiming the vertices of a component. Needs hull.glsl, control.glsl and
-// the buffers Links, Masks, Map and VertexPixels.
+// the buffers Links, Masks, Map, VertexPixels and Shares.
 #ifndef MEMBER_GLSL
 #define MEMBER_GLSL
 
@@ -77,6 +77,7 @@ uint claim_vertex(uint component, ivec2 p)
     if (map[at] == 0u && atomicCompSwap(map[at], 0u, NONE) == 0u) {
         uint slot = atomicAdd(vertex_count, 1u); // there is room: see share_room in next.comp
         vertex_pixels[slot] = pixel;
+        shares[slot] = 0u;
         map[at] = slot + 1u;
     }
     return pixel;

@@ -37,6 +37,7 @@ void main()
         if ((children >> i & 1u) != 0u) {
             ivec2 part = ivec2(i & 1, i >> 1);
             quads[at].component = q.component;
+            quads[at].parent = index;
             quads[at].origin = pack_pixel(unpack_pixel(q.origin) + part * first_part(size));
             quads[at++].size = pack_pixel(part_size(size, part));
         }

@@ -92,6 +92,7 @@ void main()
         error = max(error, STEEP * change_across(q, false));
     if (level == 0u && size.y <= ONE_VERTEX && size.y > STEP)
         error = max(error, STEEP * change_across(q, true));
+    quads[index].own = clamp(error / max(most, 1e-30) - 1.0, 0.0, 1.0);
     uint children = 0u, rank = 0u;
     if (level + 1u < LEVELS && error > most && size != first) { // else too small for parts
         for (int i = 0; i < 4; i++) {
