@@ -9,7 +9,7 @@
 const hull_settings hull_standard = {
     .link_plane = 0.04F,
     .link_cosine = 0.3F,
-    .split = 0.08F,
+    .split = 0.05F,
     .tau = 0.2F,
     .tau_width = 3,
     .near_pixels = 16,
@@ -19,7 +19,7 @@ const hull_settings hull_lobe_standard = {
     .kind = HULL_LOBES,
     .link_plane = 0.04F,
     .link_cosine = 0.5F,
-    .split = 0.15F,
+    .split = 0.09F,
     .tau = 0.2F,
     .tau_width = 3,
     .near_pixels = 16,

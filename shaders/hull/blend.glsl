@@ -1,6 +1,6 @@
 // blend.glsl: vertices come gradually. Where a quad's error has just passed what splits it, the new
 // vertices of its parts are mostly what the quad would interpolate in their place, and all their own
-// with twice that error: a quad that splits in one frame and not in the next does not flicker. A
+// with three times that error: a quad that splits in one frame and not in the next does not flicker. A
 // vertex that several quads want follows the one that has most of its own, told by a key of its share.
 #include "../common/frame.glsl"
 #include "hull.glsl"

@@ -36,18 +36,23 @@ layout(set = 0, binding = 8) uniform usampler2D normal_image;
 
 const float STEEP = 1.0; // see change_across
 
-float split_error(Quad q)
+// By the four corners; and by the two that two triangles have in common, see emit.comp.
+vec2 split_errors(Quad q)
 {
     ivec2 pixel = unpack_pixel(q.centre);
     vec3 x = texelFetch(position_image, pixel, 0).xyz;
     uvec2 normals = texelFetch(normal_image, pixel, 0).xy;
     vec3 n = unpack_normal(normals.x), face = unpack_normal(normals.y);
     n = dot(n, face) > 0.97 ? n : face;
-    Vertex middle = vertex_zero();
-    for (int i = 0; i < 4; i++)
-        vertex_add(middle, 0.25, vertices[vertex_slot(q.corners[i])]);
-    vec3 error = vertex_irradiance(vertices[vertex_slot(q.centre)], x, n) - vertex_irradiance(middle, x, n);
-    return length(error) * inversesqrt(3.0);
+    Vertex middle = vertex_zero(), diagonal = vertex_zero();
+    for (int i = 0; i < 4; i++) {
+        Vertex corner = vertices[vertex_slot(q.corners[i])];
+        vertex_add(middle, 0.25, corner);
+        vertex_add(diagonal, i == 0 || i == 3 ? 0.5 : 0.0, corner);
+    }
+    vec3 light = vertex_irradiance(vertices[vertex_slot(q.centre)], x, n);
+    return inversesqrt(3.0) * vec2(distance(light, vertex_irradiance(middle, x, n)),
+                                   distance(light, vertex_irradiance(diagonal, x, n)));
 }
 
 // How much the light changes, by the gradient at the centre, from one end to the other of the row of
@@ -86,13 +91,14 @@ void main()
         return;
     ivec2 size = unpack_size(q.size), p = unpack_pixel(q.origin) - tile_origin(q.component);
     ivec2 first = first_part(size);
-    float error = split_error(q), most = split * mean;
+    vec2 errors = split_errors(q);
+    float error = errors.x, most = split * mean;
     // with one vertex across nothing is known of the other places there but the gradient
     if (level == 0u && size.x <= ONE_VERTEX && size.x > STEP)
         error = max(error, STEEP * change_across(q, false));
     if (level == 0u && size.y <= ONE_VERTEX && size.y > STEP)
         error = max(error, STEEP * change_across(q, true));
-    quads[index].own = clamp(error / max(most, 1e-30) - 1.0, 0.0, 1.0);
+    quads[index].own = clamp(0.5 * error / max(most, 1e-30) - 0.5, 0.0, 1.0);
     uint children = 0u, rank = 0u;
     if (level + 1u < LEVELS && error > most && size != first) { // else too small for parts
         for (int i = 0; i < 4; i++) {
@@ -107,6 +113,6 @@ void main()
         atomicAdd(wanted_quads[rank], count);
         atomicAdd(wanted_vertices[rank], count == 4u ? 9u : 5u * count);
     }
-    quads[index].size = pack_pixel(size) | (error < FLAT * most ? FLAT_BIT : 0u) | rank << 8
+    quads[index].size = pack_pixel(size) | (max(error, errors.y) < FLAT * most ? FLAT_BIT : 0u) | rank << 8
         | children << 24;
 }
