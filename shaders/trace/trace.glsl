@@ -1,7 +1,8 @@
 // trace.glsl: rays against the scene's triangles: down a tree of boxes (lib/render/bvh.h), all rays
 // of a subgroup together: where one of them has to go all go. Each invocation reads a word of a
 // node, and all have them from each other: on llvmpipe a word read costs as much as a box tested,
-// and what a branch skips as what it does. Subgroups are of 8 at least. Before including it:
+// and what a branch skips as what it does. In subgroups of 4 each reads
+// two. Before including it:
 //     #define TRACE_NODES_BINDING 5, #define TRACE_TRIANGLES_BINDING 6
 #ifndef TRACE_GLSL
 #define TRACE_GLSL
@@ -29,9 +30,11 @@ const uint TRACE_STACK = 64u;
 // invocation together): true where a ray was not followed to its end.
 bool trace_gave_up = false;
 
-#define TRACE_FROM(value, lane) subgroupShuffle(value, lane)
-#define TRACE_POINT(value, lane) \
-    vec3(TRACE_FROM(value, lane), TRACE_FROM(value, lane + 1u), TRACE_FROM(value, lane + 2u))
+// Where the invocations have eight values: a the first of them, or all, b the last four.
+#define TRACE_BY_FOUR (gl_SubgroupSize < 8u)
+#define TRACE_FROM(a, b, k) subgroupShuffle(TRACE_BY_FOUR && k > 3u ? b : a, TRACE_BY_FOUR ? k & 3u : k)
+#define TRACE_POINT(a, b, k) \
+    vec3(TRACE_FROM(a, b, k), TRACE_FROM(a, b, (k + 1u)), TRACE_FROM(a, b, (k + 2u)))
 
 // The bits of all rays.
 uint trace_or(uint bits)
@@ -49,28 +52,35 @@ bool trace_any(bool here) // in the subgroup
     return trace_or(here ? 1u : 0u) != 0u;
 }
 
+float trace_axis(vec3 v, uint axis)
+{
+    return axis == 0u ? v.x : axis == 1u ? v.y : v.z;
+}
+
 // The number of a triangle hit, in the order of the leaves, ray.far where; TRACE_NONE: none. any:
 // the first one found, else the nearest. All invocations of the subgroup call it together; those
 // without a ray have a far below 0.
 uint trace_scene(inout Ray ray, uint root, bool any)
 {
-    uint lane = gl_SubgroupInvocationID & 7u;
-    float grid = uintBitsToFloat(trace_nodes[lane]); // origin and step of the boxes' corners
-    vec3 origin = TRACE_POINT(grid, 0u), steps = TRACE_POINT(grid, 3u);
-    uint axis = lane % 3u;
-    float base = axis == 0u ? origin.x : axis == 1u ? origin.y : origin.z;
-    float stride = axis == 0u ? steps.x : axis == 1u ? steps.y : steps.z;
+    uint lane = gl_SubgroupInvocationID & (TRACE_BY_FOUR ? 3u : 7u), next = TRACE_BY_FOUR ? 4u : 0u;
+    uvec2 axis = uvec2(lane, lane + next) % 3u;
+    // origin and step of the boxes' corners
+    vec2 grid = vec2(uintBitsToFloat(trace_nodes[lane]), uintBitsToFloat(trace_nodes[lane + next]));
+    vec3 origin = TRACE_POINT(grid.x, grid.y, 0u), steps = TRACE_POINT(grid.x, grid.y, 3u);
+    vec2 base = vec2(trace_axis(origin, axis.x), trace_axis(origin, axis.y));
+    vec2 stride = vec2(trace_axis(steps, axis.x), trace_axis(steps, axis.y));
     uint stack[TRACE_STACK];
     stack[0] = TRACE_EMPTY;
     uint top = 1u, node = root, found = TRACE_NONE;
     do {
         do {
-            uint word = trace_nodes[8u * node + lane];
-            float low = base + stride * float(word & 0xffffu);
-            float high = base + stride * float(word >> 16);
-            float first = trace_box(ray, TRACE_POINT(low, 0u), TRACE_POINT(high, 0u));
-            float second = trace_box(ray, TRACE_POINT(low, 3u), TRACE_POINT(high, 3u));
-            uint here = TRACE_FROM(word, 6u), there = TRACE_FROM(word, 7u);
+            uvec2 word = uvec2(trace_nodes[8u * node + lane], 0u);
+            word.y = TRACE_BY_FOUR ? trace_nodes[8u * node + lane + next] : word.x;
+            vec2 low = base + stride * vec2(word & 0xffffu);
+            vec2 high = base + stride * vec2(word >> 16);
+            float first = trace_box(ray, TRACE_POINT(low.x, low.y, 0u), TRACE_POINT(high.x, high.y, 0u));
+            float second = trace_box(ray, TRACE_POINT(low.x, low.y, 3u), TRACE_POINT(high.x, high.y, 3u));
+            uint here = TRACE_FROM(word.x, word.y, 6u), there = TRACE_FROM(word.x, word.y, 7u);
             uint hits = trace_or((first < 3e38 ? 1u : 0u) | (second < 3e38 ? 2u : 0u)
                                  | (second < first && first < 3e38 ? 4u : 0u));
             bool swap = hits == 2u || hits == 7u, both = (hits & 3u) == 3u;
@@ -81,9 +91,10 @@ uint trace_scene(inout Ray ray, uint root, bool any)
         uint t = (node & 0x7fffffffu) >> 3, last = t + (node & 7u);
         while (node > TRACE_EMPTY) {
             float some = trace_triangles[12u * t + lane];
+            float more = TRACE_BY_FOUR ? trace_triangles[12u * t + lane + next] : some;
             float rest = trace_triangles[12u * t + 8u + (lane & 3u)];
-            vec3 q = vec3(TRACE_FROM(some, 4u), TRACE_FROM(some, 5u), TRACE_FROM(some, 6u));
-            if (trace_triangle(ray, TRACE_POINT(some, 0u), q, TRACE_POINT(rest, 0u)))
+            if (trace_triangle(ray, TRACE_POINT(some, more, 0u), TRACE_POINT(some, more, 4u),
+                               TRACE_POINT(rest, rest, 0u)))
                 found = t;
             t++;
             if (t > last) {
@@ -95,7 +106,7 @@ uint trace_scene(inout Ray ray, uint root, bool any)
             }
         }
     } while (node != TRACE_EMPTY);
-    trace_gave_up = trace_gave_up || node != TRACE_EMPTY || gl_SubgroupSize < 8u;
+    trace_gave_up = trace_gave_up || node != TRACE_EMPTY || gl_SubgroupSize < 4u;
     return found;
 }
 
