@@ -21,6 +21,8 @@ layout(set = 0, binding = 4, std430) buffer Shares
     uint shares[]; // the greatest key of a vertex; 0: it is done, or none
 };
 
+#include "map.glsl"
+
 // One of five vertices of a part, the centre first.
 struct Part {
     uint slot, key; // key 0: an old vertex
@@ -37,7 +39,7 @@ Part take_part()
         return part;
     index += quad_first[level];
     uint pixel = which == 0u ? quads[index].centre : quads[index].corners[corner];
-    part.slot = map[(pixel >> 16) * view.size.x + (pixel & 0xffffu)] - 1u;
+    part.slot = vertex_slot(pixel);
     part.parent = quads[index].parent;
     part.own = quads[part.parent].own;
     ivec2 size = unpack_size(quads[index].size), whole = unpack_size(quads[part.parent].size);

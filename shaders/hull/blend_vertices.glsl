@@ -7,11 +7,6 @@ layout(set = 0, binding = 5, std430) buffer Vertices
     Vertex vertices[];
 };
 
-uint slot_of(uint pixel)
-{
-    return map[(pixel >> 16) * view.size.x + (pixel & 0xffffu)] - 1u;
-}
-
 void main()
 {
     Part part = take_part();
@@ -26,8 +21,8 @@ void main()
     float other = 1.0 - part.own;
     Vertex v = vertex_zero();
     vertex_add(v, part.own, vertices[part.slot]);
-    vertex_add(v, other * (1.0 - out_there), vertices[slot_of(quads[part.parent].centre)]);
-    vertex_add(v, other * out_there * (0.5 - 0.5 * along), vertices[slot_of(quads[part.parent].corners[from])]);
-    vertex_add(v, other * out_there * (0.5 + 0.5 * along), vertices[slot_of(quads[part.parent].corners[to])]);
+    vertex_add(v, other * (1.0 - out_there), vertices[vertex_slot(quads[part.parent].centre)]);
+    vertex_add(v, other * out_there * (0.5 - 0.5 * along), vertices[vertex_slot(quads[part.parent].corners[from])]);
+    vertex_add(v, other * out_there * (0.5 + 0.5 * along), vertices[vertex_slot(quads[part.parent].corners[to])]);
     vertices[part.slot] = v;
 }

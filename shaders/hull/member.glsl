@@ -3,6 +3,8 @@
 #ifndef MEMBER_GLSL
 #define MEMBER_GLSL
 
+#include "map.glsl"
+
 bool bit(uint word, int at)
 {
     return (word >> uint(at) & 1u) != 0u;
@@ -55,17 +57,6 @@ ivec2 nearest_member(uint component, ivec2 p)
         }
     }
     return best;
-}
-
-uint map_index(uint pixel)
-{
-    return (pixel >> 16) * view.size.x + (pixel & 0xffffu);
-}
-
-// Place of a vertex in the list; NONE where there is none.
-uint vertex_slot(uint pixel)
-{
-    return map[map_index(pixel)] - 1u;
 }
 
 #ifndef MEMBER_READ_ONLY

@@ -80,14 +80,21 @@ uint list_base(uint l)
     return l == 0u ? 85u * tiles.x * tiles.y : level_base(l) - level_base(1u);
 }
 
-// As many groups as the entries need, in rows of 32768.
-void push_fragment(uint list, uint entry)
+// Neighbours side by side: their rays are traced together. As many groups as the entries need, in
+// rows of 32768.
+void push_fragments(uint list, uint count, uint entries[4])
 {
-    uint slot = atomicAdd(work[list].count, 1u) - 1u;
-    lists[list_base(list) + slot] = entry;
-    uint group = slot / together;
+    uint slot = atomicAdd(work[list].count, count) - 1u;
+    for (uint i = 0u; i < count; i++)
+        lists[list_base(list) + slot + i] = entries[i];
+    uint group = (slot + count - 1u) / together;
     atomicMax(work[list].groups[0], min(group + 1u, 32768u));
     atomicMax(work[list].groups[1], group / 32768u + 1u);
+}
+
+void push_fragment(uint list, uint entry)
+{
+    push_fragments(list, 1u, uint[4](entry, 0u, 0u, 0u));
 }
 
 // A fragment of this group; false where there is none left.

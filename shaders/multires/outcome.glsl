@@ -29,18 +29,27 @@ void keep_pixels(uint first, uvec2 at, bool split)
         counter_add(COUNT_FRAGMENTS + 1u, coarse);
 }
 
+void push_parts(uint list, uvec2 at)
+{
+    uint parts[4];
+    for (uint i = 0u; i < 4u; i++)
+        parts[i] = pack_fragment(at * 2u + sub_at(i), 0u);
+    push_fragments(list, 4u, parts);
+}
+
 void split_fragment(uvec2 at, uint twice)
 {
+    uint parts[4], count = 0u;
     for (uint i = 0u; i < 4u; i++) {
         uvec2 sub = at * 2u + sub_at(i);
-        if ((twice >> i & 1u) == 0u)
-            push_fragment(level - 1u, pack_fragment(sub, 0u));
-        else if (level == 2u)
-            push_fragment(1u, pack_fragment(sub, FORCED));
+        bool again = (twice >> i & 1u) != 0u;
+        if (!again || level == 2u)
+            parts[count++] = pack_fragment(sub, again ? FORCED : 0u);
         else
-            for (uint k = 0u; k < 4u; k++)
-                push_fragment(level - 2u, pack_fragment(sub * 2u + sub_at(k), 0u));
+            push_parts(level - 2u, sub);
     }
+    if (count > 0u)
+        push_fragments(level - 1u, count, parts);
 }
 
 void keep_fragment(uint first, uvec2 at, uint entry)

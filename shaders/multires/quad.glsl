@@ -55,8 +55,7 @@ void look_at_light(uint light, uint round, bool one_surface, Surface s, Surface 
         barrier();
     }
     if (alone) {
-        facing(light, s, uvec2(0xffffffffu), weights.y);
-        facing(light, s, board, weights.x);
+        weights = weigh(light, s, board);
         sub.own = true;
     }
     keep_light(light, part, form, weights, s, sub);

@@ -23,6 +23,17 @@ uvec2 facing(uint light, Surface s, uvec2 squares, out float weight)
     return faced;
 }
 
+// Weights of the points on a board, and of all.
+vec2 weigh(uint light, Surface s, uvec2 board)
+{
+    vec2 weights = vec2(0.0);
+    for (uint i = 0u; i < AREA_POINTS; i++) {
+        float one = area_weight(light, point_on(i), s);
+        weights += (board[i >> 5] >> (i & 31u) & 1u) != 0u ? vec2(one) : vec2(0.0, one);
+    }
+    return weights;
+}
+
 // What a light gives without shadow, the mean of the channels over the image's mean irradiance.
 float worth_of(uint light, float form)
 {

@@ -30,11 +30,14 @@ vec3 light_fragment(uint light, Surface s, out uvec2 bits, inout uint rays)
 // Four pixels of different surfaces: fragments each, not to be compared.
 void split(uvec2 at)
 {
+    uint pixels[4], count = 0u;
     for (uint i = 0u; i < 4u; i++) {
         uvec2 child = at * 2u + uvec2(i & 1u, i >> 1);
         if (surface_at(ivec2(child)).there)
-            push_fragment(0u, pack_fragment(child, 0u));
+            pixels[count++] = pack_fragment(child, 0u);
     }
+    if (count > 0u)
+        push_fragments(0u, count, pixels);
 }
 
 void main()
