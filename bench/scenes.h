@@ -65,7 +65,8 @@ typedef struct scenes_view {
     /* Interleaved: every pipeline once, then every pipeline again; 0: once, and times mean nothing
      */
     int runs;
-    double enough_ms;    /* a run of a pipeline that took as long is its last; 0: none is */
+    double enough_ms; /* the second run that took as long, of the truth the first, is the last; 0:
+                         none is */
     scenes_warmth *warm; /* those in it need no run before the first that counts; NULL: all do */
     scenes_truth *known; /* of this view: used, or filled where it is empty; NULL: rendered */
     const scenes_variant *variants; /* after the pipelines */

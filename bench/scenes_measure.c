@@ -168,11 +168,13 @@ static void remember_truth(const scenes_view *view, const job *truth, const floa
     view->known->light = memcpy(base_allocate(bytes + 1), light, bytes);
 }
 
-/* After the last of the runs, or after one that took long enough to be sure of. */
-static bool has_run_enough(const scenes_view *view, const job *j)
+/* After the last of the runs, or after one that took long enough to be sure of: not the first of a
+ * pipeline whose shaders are made of text, which are compiled for each frame. */
+static bool has_run_enough(const scenes_view *view, const job *j, bool truth)
 {
     return (int)j->runs >= view->runs || j->runs == MOST_RUNS ||
-           (view->enough_ms > 0.0 && j->ms[j->runs - 1] >= view->enough_ms);
+           (view->enough_ms > 0.0 && j->ms[j->runs - 1] >= view->enough_ms &&
+            (truth || j->runs > 1));
 }
 
 /* The first round keeps the truth; each pipeline is looked at after its last run, while the frame
@@ -199,7 +201,7 @@ static bool run_all(render_frame *frame, const scenes_view *view, job *jobs, siz
                 continue;
             if (i == 0 && j->runs == 1)
                 good = keep_truth(frame, view, truth);
-            j->done = has_run_enough(view, j);
+            j->done = has_run_enough(view, j, i == 0);
             remain = remain || !j->done;
             if (good && j->done)
                 good = look_at(frame, view, j, light, truth, errors, look, context);
