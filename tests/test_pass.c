@@ -264,13 +264,15 @@ static void names_the_limit_that_is_missing(void **state)
 {
     (void)state;
     gpu_device *device = open_software_device();
-    must(gpu_check(device, &(gpu_needs){1024, 16384, 4096, (size_t)1 << 27}));
+    must(gpu_check(device, &(gpu_needs){1024, 16384, 4096, (size_t)1 << 27, 4}));
     refused(gpu_check(device, &(gpu_needs){.group_invocations = 1 << 20}), GPU_UNSUPPORTED,
             "invocations in a work group");
     refused(gpu_check(device, &(gpu_needs){.shared_bytes = 1 << 30}), GPU_UNSUPPORTED, "shared");
     refused(gpu_check(device, &(gpu_needs){.image_side = 1 << 30}), GPU_UNSUPPORTED, "image");
     refused(gpu_check(device, &(gpu_needs){.buffer_bytes = (size_t)1 << 40}), GPU_UNSUPPORTED,
             "storage buffer");
+    refused(gpu_check(device, &(gpu_needs){.subgroup_invocations = 1000}), GPU_UNSUPPORTED,
+            "subgroup");
     close_clean(device);
 }
 

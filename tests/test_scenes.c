@@ -20,6 +20,16 @@ static void box(render_scene *scene)
     free(path);
 }
 
+static scenes_view view_of(gpu_device *device, const render_scene *scene)
+{
+    return (scenes_view){.device = device,
+                         .scene = scene,
+                         .name = "box",
+                         .width = WIDTH,
+                         .height = HEIGHT,
+                         .runs = 3};
+}
+
 /* What a look saw: calls, and the order of the pipelines. */
 typedef struct seen {
     int calls;
@@ -79,13 +89,8 @@ static void test_a_view(void **state)
     scenes_table table = {0};
     seen s = {0};
     scenes_truth known = {.light = NULL};
-    scenes_view view = {.device = device,
-                        .scene = &scene,
-                        .name = "box",
-                        .width = WIDTH,
-                        .height = HEIGHT,
-                        .runs = 3,
-                        .known = &known};
+    scenes_view view = view_of(device, &scene);
+    view.known = &known;
     assert_true(scenes_measure(&view, pipelines, see, &s, &table));
     assert_int_equal(table.count, 3);
     assert_int_equal(s.calls, 3);
@@ -133,15 +138,10 @@ static void test_runs(void **state)
     box(&scene);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         scenes_table table = {0};
-        scenes_view view = {.device = device,
-                            .scene = &scene,
-                            .name = "box",
-                            .width = WIDTH,
-                            .height = HEIGHT,
-                            .runs = 3,
-                            .enough_ms = cases[i].enough_ms,
-                            .variants = &variant,
-                            .variant_count = 1};
+        scenes_view view = view_of(device, &scene);
+        view.enough_ms = cases[i].enough_ms;
+        view.variants = &variant;
+        view.variant_count = 1;
         counted_runs = 0;
         assert_true(scenes_measure(&view, none, NULL, NULL, &table));
         assert_int_equal(counted_runs, cases[i].runs);

@@ -23,7 +23,8 @@ struct gpu_device {
     uint32_t query_count; /* in the pool */
     VkSampler nearest;    /* of GPU_FETCHED; made with the first image */
     VkPhysicalDeviceLimits limits;
-    bool draws; /* has a graphics queue and dynamic rendering */
+    uint32_t subgroup_invocations; /* 0 where they do not add and shuffle in compute shaders */
+    bool draws;                    /* has a graphics queue and dynamic rendering */
     PFN_vkGetPipelineExecutableStatisticsKHR get_statistics;
     gpu_kept *kept; /* pipelines, see keep.c */
     gpu_device_info info;

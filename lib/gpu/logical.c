@@ -92,8 +92,24 @@ static VkResult create_logical(gpu_device *device)
     return vkCreateDevice(device->physical, &info, NULL, &device->device);
 }
 
+static uint32_t find_subgroup(VkPhysicalDevice physical)
+{
+    const VkSubgroupFeatureFlags used = VK_SUBGROUP_FEATURE_BASIC_BIT |
+                                        VK_SUBGROUP_FEATURE_ARITHMETIC_BIT |
+                                        VK_SUBGROUP_FEATURE_SHUFFLE_BIT;
+    VkPhysicalDeviceSubgroupProperties subgroup = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &subgroup};
+    vkGetPhysicalDeviceProperties2(physical, &properties);
+    bool all = (subgroup.supportedOperations & used) == used &&
+               (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
+    return all ? subgroup.subgroupSize : 0;
+}
+
 gpu_status gpu_create_device(gpu_device *device)
 {
+    device->subgroup_invocations = find_subgroup(device->physical);
     gpu_status status = find_queue(device);
     if (status != GPU_OK)
         return status;
@@ -128,7 +144,9 @@ gpu_status gpu_check(const gpu_device *device, const gpu_needs *needs)
                  limits->maxComputeWorkGroupInvocations},
                 {"bytes of shared memory", needs->shared_bytes, limits->maxComputeSharedMemorySize},
                 {"pixels a side of an image", needs->image_side, limits->maxImageDimension2D},
-                {"bytes of a storage buffer", needs->buffer_bytes, limits->maxStorageBufferRange}};
+                {"bytes of a storage buffer", needs->buffer_bytes, limits->maxStorageBufferRange},
+                {"invocations in a subgroup, which add and shuffle,", needs->subgroup_invocations,
+                 device->subgroup_invocations}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         if (rows[i].need > rows[i].have)
             return gpu_fail(GPU_UNSUPPORTED, "%s: %zu %s are needed, it has %zu", device->info.name,

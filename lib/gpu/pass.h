@@ -120,7 +120,8 @@ typedef struct gpu_needs {
     uint32_t group_invocations; /* in a compute work group */
     uint32_t shared_bytes;
     uint32_t image_side;
-    size_t buffer_bytes; /* of a storage buffer */
+    size_t buffer_bytes;           /* of a storage buffer */
+    uint32_t subgroup_invocations; /* that add and shuffle, in compute shaders */
 } gpu_needs;
 gpu_status gpu_check(const gpu_device *device, const gpu_needs *needs);
 

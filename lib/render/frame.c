@@ -8,7 +8,10 @@
 static gpu_status check_needs(gpu_device *device, const render_options *options)
 {
     uint32_t side = options->width > options->height ? options->width : options->height;
-    gpu_needs needs = {.group_invocations = 1024, .shared_bytes = 16384, .image_side = side};
+    gpu_needs needs = {.group_invocations = 1024,
+                       .shared_bytes = 16384,
+                       .image_side = side,
+                       .subgroup_invocations = 4};
     return gpu_check(device, &needs);
 }
 

@@ -168,8 +168,8 @@ gpu_status shadows_run(render_frame *frame, const gpu_step *steps, int count,
     const uint32_t *halves = gpu_buffer_map(frame->counters);
     if (status == GPU_OK && (halves[2 * GAVE_UP] || halves[2 * GAVE_UP + 1]))
         return gpu_fail(GPU_FAILED,
-                        "shadows: this device has subgroups of less than 4 invocations, or ends "
-                        "loops before all rays to %zu area lights are traced",
+                        "shadows: this device ends loops before all rays to %zu area "
+                        "lights are traced",
                         frame->scene->area_light_count);
     return status;
 }

@@ -23,6 +23,8 @@ layout(set = 0, binding = 4, std430) buffer Shares
 
 #include "map.glsl"
 
+const float KEY_STEPS = 2097151.0; // of a share in a key: 21 bits
+
 // One of five vertices of a part, the centre first.
 struct Part {
     uint slot, key; // key 0: an old vertex
@@ -46,9 +48,9 @@ Part take_part()
     ivec2 first = unpack_pixel(quads[index].origin) - unpack_pixel(quads[part.parent].origin);
     ivec2 at = first + (which == 0u ? size / 2 : size * ivec2(corner & 1u, corner >> 1));
     part.place = 2.0 * vec2(at) / vec2(whole) - 1.0;
-    // by its share; among those of one quad by the place, which is no accident
+    // by its share; of two places in one quad always the same one
     uvec2 row = uvec2(at) / 2u;
     if (part.slot >= gather_first)
-        part.key = 1u + (uint(part.own * 2097151.0) << 10 | row.y << 5 | row.x);
+        part.key = 1u + (uint(part.own * KEY_STEPS) << 10 | row.y << 5 | row.x);
     return part;
 }

@@ -56,6 +56,23 @@ Terms terms_of(Moments m, float share)
     return Terms(vec4(s, p.x), vec4(p.yz, b.xy), b.z);
 }
 
+// Takes the share far of a light of exitance e, with its moments m and order 4 f, into a vertex or
+// a sample v: they have the fields in common that vertex.glsl tells of.
+#define TAKE_FAR(v, e, far, m, f)                                                                  \
+    {                                                                                              \
+        Terms t = terms_of(m, far);                                                                \
+        v.red0 += e.r * t.m0;                                                                      \
+        v.green0 += e.g * t.m0;                                                                    \
+        v.blue0 += e.b * t.m0;                                                                     \
+        v.red1 += e.r * t.m1;                                                                      \
+        v.green1 += e.g * t.m1;                                                                    \
+        v.blue1 += e.b * t.m1;                                                                     \
+        float mean_e = (e.r + e.g + e.b) / 3.0 * far;                                              \
+        v.b += vec4(e * t.b, mean_e * f.c);                                                        \
+        v.fourth_a += mean_e * f.a;                                                                \
+        v.fourth_b += mean_e * f.b;                                                                \
+    }
+
 #ifdef FORM_FACTOR_GLSL
 
 // One edge's share of the first and second moment; g: cross product of its ends on the unit sphere.

@@ -45,17 +45,7 @@ Vertex vertex_zero()
 // Takes in the share far of a light of exitance e.
 void vertex_take(inout Vertex v, vec3 e, float far, Moments m, Fourth f)
 {
-    Terms t = terms_of(m, far);
-    v.red0 += e.r * t.m0;
-    v.green0 += e.g * t.m0;
-    v.blue0 += e.b * t.m0;
-    v.red1 += e.r * t.m1;
-    v.green1 += e.g * t.m1;
-    v.blue1 += e.b * t.m1;
-    float mean_e = (e.r + e.g + e.b) / 3.0 * far;
-    v.b += vec4(e * t.b, mean_e * f.c);
-    v.fourth_a += mean_e * f.a;
-    v.fourth_b += mean_e * f.b;
+    TAKE_FAR(v, e, far, m, f)
 }
 
 // The vertex lies at x; next is vertex_local.

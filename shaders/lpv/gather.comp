@@ -27,20 +27,6 @@ layout(set = 0, binding = 9, std430) readonly buffer Samples { LpvSample points_
 layout(set = 0, binding = 10, std430) buffer Reflected { vec4 reflected[]; }; // W/m^2, two a sample
 layout(set = 0, binding = 11, std430) readonly buffer Emitters { Emitter emitters[]; };
 
-vec3 from_light(uint light, Surface s, inout uint rays)
-{
-    float form = s.there ? area_form_factor(light, s) : 0.0, seen = 0.0, all = 0.0;
-    uint i = 0u, last = trace_any(form > 0.0) ? points : 0u;
-    for (; i < last; i++) {
-        float weight = form > 0.0 ? area_weight(light, i, s) : 0.0;
-        all += weight;
-        rays += weight > 0.0 ? 1u : 0u;
-        seen += area_sees(light, i, s, weight > 0.0) ? weight : 0.0;
-    }
-    trace_gave_up = trace_gave_up || i < last;
-    return seen > 0.0 ? areas[light].exitance.rgb * (form * seen / all) : vec3(0.0);
-}
-
 // Of a disc as of a point, but no more than the disc gives from close by.
 vec3 from_emitter(uint emitter, Surface s, inout uint rays)
 {
@@ -71,8 +57,9 @@ void main()
     s.there = inside;
     vec3 irradiance = vec3(0.0);
     uint light = first_light, emitter = 0u;
+    uvec2 bits;
     for (; light < last_light; light++)
-        irradiance += from_light(light, s, rays);
+        irradiance += area_irradiance(light, 0u, points, s, bits, rays);
     for (; emitter < emitter_count; emitter++)
         irradiance += from_emitter(emitter, s, rays);
     trace_gave_up = trace_gave_up || light < last_light || emitter < emitter_count;

@@ -3,11 +3,6 @@
 #ifndef COMPARE_GLSL
 #define COMPARE_GLSL
 
-uvec2 sub_at(uint sub) // of the four around the fragment: each a neighbour of the one before
-{
-    return uvec2(sub == 1u || sub == 2u, sub >= 2u);
-}
-
 struct Found {
     float differ; // of all lights, over the image's mean irradiance
     uint twice;   // sub-fragments on a steep gradient

@@ -97,6 +97,20 @@ void push_fragment(uint list, uint entry)
     push_fragments(list, 1u, uint[4](entry, 0u, 0u, 0u));
 }
 
+uvec2 sub_at(uint sub) // of the four around the fragment: each a neighbour of the one before
+{
+    return uvec2(sub == 1u || sub == 2u, sub >= 2u);
+}
+
+// All four parts.
+void push_parts(uint list, uvec2 at)
+{
+    uint parts[4];
+    for (uint i = 0u; i < 4u; i++)
+        parts[i] = pack_fragment(at * 2u + sub_at(i), 0u);
+    push_fragments(list, 4u, parts);
+}
+
 // A fragment of this group; false where there is none left.
 bool take_fragment(uint list, uint which, out uint entry)
 {

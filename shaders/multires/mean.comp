@@ -17,26 +17,18 @@ void look(uint tile, uint tile_count)
     uint lights_here = min(light_count, MEAN_LIGHTS), rays = 0u, i = 0u;
     Surface s = surface_at(ivec2(16u * at + 8u));
     vec3 sum = vec3(0.0);
-    bool there = tile < tile_count && s.there;
+    s.there = s.there && tile < tile_count;
     for (; i < lights_here; i++) {
         uint light = (tile * lights_here + i) % light_count;
-        float form = there ? area_form_factor(light, s) : 0.0;
-        vec2 seen = vec2(0.0);
-        for (uint k = 0u; k < 16u; k++) {
-            uint point = (tile & 3u) * 16u + k;
-            float weight = form > 0.0 ? area_weight(light, point, s) : 0.0;
-            rays += weight > 0.0 ? 1u : 0u;
-            seen.y += weight;
-            seen.x += area_sees(light, point, s, weight > 0.0) ? weight : 0.0;
-        }
-        sum += seen.x > 0.0 ? areas[light].exitance.rgb * (form * seen.x / seen.y) : vec3(0.0);
+        uvec2 bits;
+        sum += area_irradiance(light, AREA_FEW * (tile & 3u), AREA_FEW, s, bits, rays);
     }
     trace_gave_up = trace_gave_up || i < lights_here;
     sum *= float(light_count) / float(max(lights_here, 1u));
     if (tile < tile_count) // w: still NOTHING
         illumination[fragment_index(TOP, at)] =
-            vec4((sum.r + sum.g + sum.b) / 3.0, there ? 1.0 : 0.0, 0.0, NOTHING);
-    counter_add_group(COUNT_EVALUATIONS, there ? lights_here : 0u);
+            vec4((sum.r + sum.g + sum.b) / 3.0, s.there ? 1.0 : 0.0, 0.0, NOTHING);
+    counter_add_group(COUNT_EVALUATIONS, s.there ? lights_here : 0u);
     count_rays(rays);
 }
 

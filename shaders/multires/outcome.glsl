@@ -29,14 +29,6 @@ void keep_pixels(uint first, uvec2 at, bool split)
         counter_add(COUNT_FRAGMENTS + 1u, coarse);
 }
 
-void push_parts(uint list, uvec2 at)
-{
-    uint parts[4];
-    for (uint i = 0u; i < 4u; i++)
-        parts[i] = pack_fragment(at * 2u + sub_at(i), 0u);
-    push_fragments(list, 4u, parts);
-}
-
 void split_fragment(uvec2 at, uint twice)
 {
     uint parts[4], count = 0u;

@@ -35,10 +35,7 @@ void main()
     bool final = traced && differ < differing;
     if (final)
         illumination[kept].w = FINAL;
-    uint parts[4];
-    for (uint i = 0u; i < 4u; i++)
-        parts[i] = pack_fragment(uvec2(at) * 2u + uvec2(i & 1u, i >> 1), 0u);
     if (traced && !final)
-        push_fragments(level - 1u, 4u, parts);
+        push_parts(level - 1u, uvec2(at));
     counter_add_group(COUNT_FRAGMENTS + level, final ? 1u : 0u);
 }

@@ -8,31 +8,12 @@
 
 layout(local_size_x = 64) in;
 
-// Irradiance from one light by all 64 rays; bits: of the points that are visible.
-vec3 light_fragment(uint light, Surface s, out uvec2 bits, inout uint rays)
-{
-    float form = s.there ? area_form_factor(light, s) : 0.0, seen = 0.0, all = 0.0;
-    uint i = 0u, last = trace_any(form > 0.0) ? AREA_POINTS : 0u;
-    bits = uvec2(0u);
-    for (; i < last; i++) {
-        float weight = form > 0.0 ? area_weight(light, i, s) : 0.0;
-        all += weight;
-        rays += weight > 0.0 ? 1u : 0u;
-        if (area_sees(light, i, s, weight > 0.0)) {
-            seen += weight;
-            bits |= uvec2(i < 32u ? 1u << i : 0u, i < 32u ? 0u : 1u << (i - 32u));
-        }
-    }
-    trace_gave_up = trace_gave_up || i < last;
-    return seen > 0.0 ? areas[light].exitance.rgb * (form * seen / all) : vec3(0.0);
-}
-
 // Four pixels of different surfaces: fragments each, not to be compared.
 void split(uvec2 at)
 {
     uint pixels[4], count = 0u;
     for (uint i = 0u; i < 4u; i++) {
-        uvec2 child = at * 2u + uvec2(i & 1u, i >> 1);
+        uvec2 child = at * 2u + sub_at(i);
         if (surface_at(ivec2(child)).there)
             pixels[count++] = pack_fragment(child, 0u);
     }
@@ -54,7 +35,7 @@ void main()
     vec3 sum = taken && first_light > 0u ? illumination[index].rgb : vec3(0.0);
     for (; light < last_light; light++) {
         uvec2 bits;
-        sum += light_fragment(light, s, bits, rays);
+        sum += area_irradiance(light, 0u, AREA_POINTS, s, bits, rays);
         if (taken)
             visible[kept + 1u + light] = bits;
     }

@@ -94,6 +94,26 @@ bool area_sees(uint light, uint point, Surface s, bool wanted)
     return area_sees_from(light, point, s.origin, wanted);
 }
 
+// Irradiance of a light by so many of its points from the first on, one ray to each that gives some;
+// bits: which are visible. All invocations of a subgroup call it together.
+vec3 area_irradiance(uint light, uint first, uint count, Surface s, out uvec2 bits, inout uint rays)
+{
+    float form = s.there ? area_form_factor(light, s) : 0.0, seen = 0.0, all = 0.0;
+    uint i = 0u, last = trace_any(form > 0.0) ? count : 0u;
+    bits = uvec2(0u);
+    for (; i < last; i++) {
+        float weight = form > 0.0 ? area_weight(light, first + i, s) : 0.0;
+        all += weight;
+        rays += weight > 0.0 ? 1u : 0u;
+        if (area_sees(light, first + i, s, weight > 0.0)) {
+            seen += weight;
+            bits |= uvec2(i < 32u ? 1u << i : 0u, i < 32u ? 0u : 1u << (i - 32u));
+        }
+    }
+    trace_gave_up = trace_gave_up || i < last;
+    return seen > 0.0 ? areas[light].exitance.rgb * (form * seen / all) : vec3(0.0);
+}
+
 // At the end of every pass that traces.
 void count_rays(uint rays)
 {

@@ -1,8 +1,7 @@
 // trace.glsl: rays against the scene's triangles: down a tree of boxes (lib/render/bvh.h), all rays
 // of a subgroup together: where one of them has to go all go. Each invocation reads a word of a
 // node, and all have them from each other: on llvmpipe a word read costs as much as a box tested,
-// and what a branch skips as what it does. In subgroups of 4 each reads
-// two. Before including it:
+// and what a branch skips as what it does. In subgroups of 4 each reads two. Before including it:
 //     #define TRACE_NODES_BINDING 5, #define TRACE_TRIANGLES_BINDING 6
 #ifndef TRACE_GLSL
 #define TRACE_GLSL
@@ -106,7 +105,7 @@ uint trace_scene(inout Ray ray, uint root, bool any)
             }
         }
     } while (node != TRACE_EMPTY);
-    trace_gave_up = trace_gave_up || node != TRACE_EMPTY || gl_SubgroupSize < 4u;
+    trace_gave_up = trace_gave_up || node != TRACE_EMPTY;
     return found;
 }
 

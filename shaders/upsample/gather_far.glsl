@@ -30,18 +30,8 @@ layout(set = 0, binding = 6, std430) writeonly buffer Samples
 // Takes the share far of a light of exitance e into the sample, and into the irradiance at its normal.
 void take(inout Sample s, vec3 e, float far, float form_factor, Moments m, Fourth f)
 {
-    Terms t = terms_of(m, far);
     s.c.xyz += e * (far * form_factor);
-    s.red0 += e.r * t.m0;
-    s.green0 += e.g * t.m0;
-    s.blue0 += e.b * t.m0;
-    s.red1 += e.r * t.m1;
-    s.green1 += e.g * t.m1;
-    s.blue1 += e.b * t.m1;
-    float mean_e = (e.r + e.g + e.b) / 3.0 * far;
-    s.b += vec4(e * t.b, mean_e * f.c);
-    s.fourth_a += mean_e * f.a;
-    s.fourth_b += mean_e * f.b;
+    TAKE_FAR(s, e, far, m, f)
 }
 
 // The share of the light that the sample at x is to take, with its exact form factor and moments.
