@@ -140,10 +140,9 @@ static bool look(void *context, render_frame *frame, const scenes_row *row, cons
            fragment_map(m, frame, row);
 }
 
-/* Tracing all rays at 1920 x 1080 takes minutes: there what the bars need. Every variant where it
- * is the first scene. */
-static bool one_scene(const scenes_plan *plan, const char *path, bool first, int size_count,
-                      char *pictures, measured *m, base_progress *progress)
+/* At 1920 x 1080 what the bars need. Every variant where it is the first scene. */
+static bool one_scene(const scenes_plan *plan, const char *path, bool first, char *pictures,
+                      measured *m, base_progress *progress)
 {
     static const uint32_t full[][2] = {{1024, 768}, {1920, 1080}}, quick[][2] = {{256, 192}};
     static const char *const every[] = {
@@ -152,6 +151,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, bool first, int
     static const char *const rivals[] = {"multires", "shadows2", "nichols", NULL};
     static const char *const bars[] = {"multires", "nichols", NULL};
     const uint32_t(*sizes)[2] = plan->quick ? quick : full;
+    int size_count = plan->quick ? 1 : 2;
     render_scene scene;
     if (!render_scene_read(path, plan->folder, &scene))
         return false;
@@ -164,7 +164,9 @@ static bool one_scene(const scenes_plan *plan, const char *path, bool first, int
                             .height = sizes[s][1],
                             .truth = "shadows",
                             .warm = plan->warm,
-                            .runs = 1};
+                            .runs = plan->quick ? 1 : 3,
+                            .enough_ms = 3000.0,
+                            .compiled = true};
         m->pictures = s == 0 ? pictures : NULL;
         good = scenes_measure(&view, s > 0 ? bars : first ? every : rivals, look, m, &m->table);
         base_progress_step(progress, scene.name);
@@ -175,7 +177,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, bool first, int
 
 bool scenes_shadows(const scenes_plan *plan)
 {
-    /* the first ones by name, whose trees are not deep; all of them where --view names them */
+    /* quick: the first ones by name, whose trees are not deep */
     enum { FEW = 2 };
     char **paths;
     size_t count;
@@ -187,11 +189,9 @@ bool scenes_shadows(const scenes_plan *plan)
     measured m = {.ssim = NULL};
     char *pictures = base_join(plan->out, "shadows"), *csv = base_join(plan->out, "shadows.csv");
     bool good = base_make_directory(pictures);
-    base_progress *progress =
-        base_progress_begin("shadows", plan->quick ? used : used + (plan->only ? used : FEW));
+    base_progress *progress = base_progress_begin("shadows", plan->quick ? used : 2 * used);
     for (size_t i = 0; i < used && good; i++)
-        good = one_scene(plan, paths[i], i == 0, plan->quick || (i >= FEW && !plan->only) ? 1 : 2,
-                         pictures, &m, progress);
+        good = one_scene(plan, paths[i], i == 0, pictures, &m, progress);
     base_progress_end(progress);
     good = good && write_csv(&m, csv);
     free(pictures);
