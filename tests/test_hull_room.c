@@ -34,8 +34,8 @@ static outcome light_alike(render_frame *frame, const hull_settings *settings, c
                    *exact = gpu_buffer_map(h->buffers[HULL_B_ARGUMENTS]);
     render_comparison comparison;
     render_compare(values / 4, light, truth, NULL, &comparison);
-    outcome o = {control[HULL_LEAF_COUNT], control[HULL_VERTEX_COUNT], exact[3] - 1,
-                 comparison.rel};
+    outcome o = {control[HULL_LEAF_COUNT], control[HULL_VERTEX_COUNT] + control[HULL_EVEN_COUNT],
+                 exact[3] - 1, comparison.rel};
     hull_destroy(state);
     return o;
 }

@@ -46,9 +46,9 @@ static gpu_status create_passes(render_frame *frame, hull *h)
     static const hull_pass shared[] = {HULL_TREE_IMAGE, HULL_MEAN_SAMPLES, HULL_MEAN_SUM,
                                        HULL_NEXT,       HULL_CULL_TILE,    HULL_CULL,
                                        HULL_NEAR,       HULL_EXACT};
-    static const hull_pass moments[] = {HULL_LINKS,  HULL_COMPONENTS, HULL_CLAIM,
-                                        HULL_GATHER, HULL_SPLIT,      HULL_PART,
-                                        HULL_SHARE,  HULL_BLEND,      HULL_EMIT};
+    static const hull_pass moments[] = {HULL_LINKS,       HULL_COMPONENTS, HULL_CLAIM, HULL_GATHER,
+                                        HULL_GATHER_EVEN, HULL_SPLIT,      HULL_PART,  HULL_SHARE,
+                                        HULL_BLEND,       HULL_EMIT};
     static const hull_pass lobes[] = {HULL_LINKS,        HULL_COMPONENTS,  HULL_CLAIM,
                                       HULL_GATHER_LOBES, HULL_SPLIT_LOBES, HULL_PART,
                                       HULL_SHARE,        HULL_BLEND_LOBES, HULL_EMIT};
@@ -57,7 +57,7 @@ static gpu_status create_passes(render_frame *frame, hull *h)
     const hull_pass *own = h->kind == HULL_UPSAMPLE ? upsample
                            : h->kind == HULL_LOBES  ? lobes
                                                     : moments;
-    int own_count = h->kind == HULL_UPSAMPLE ? 3 : 9;
+    int own_count = h->kind == HULL_UPSAMPLE ? 3 : h->kind == HULL_LOBES ? 9 : 10;
     gpu_status status = GPU_OK;
     for (int i = 0; status == GPU_OK && i < 8; i++)
         status = hull_create_pass(frame, h, shared[i]);
@@ -122,6 +122,7 @@ static void add_hull(hull_list *l)
     const hull *h = l->h;
     bool lobes = h->kind == HULL_LOBES;
     hull_add_fill(l, "reset", HULL_B_MAP, 0);
+    hull_add_fill(l, "reset", HULL_B_EVEN_MAP, 0);
     hull_add_groups(l, "links", HULL_LINKS, (h->tiles * (HULL_TILE / HULL_ROWS) + 63) / 64);
     hull_add_groups(l, "components", HULL_COMPONENTS, (h->tiles + 7) / 8);
     add_near_lists(l);
@@ -131,6 +132,8 @@ static void add_hull(hull_list *l)
         hull_add(l, "next", HULL_NEXT, level);
         hull_add_indirect(l, "gather", lobes ? HULL_GATHER_LOBES : HULL_GATHER, level,
                           HULL_GATHER_GROUPS);
+        if (!lobes)
+            hull_add_indirect(l, "gather", HULL_GATHER_EVEN, level, HULL_EVEN_GROUPS);
         if (level > 0) {
             hull_add_indirect(l, "blend", HULL_SHARE, level, HULL_CLAIM_GROUPS);
             hull_add_indirect(l, "blend", lobes ? HULL_BLEND_LOBES : HULL_BLEND, level,

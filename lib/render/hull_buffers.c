@@ -57,6 +57,7 @@ gpu_status hull_create_buffers(render_frame *frame, hull *h, const hull_settings
         [HULL_B_MASKS] = 4 * HULL_TILE * HULL_MOST_COMPONENTS * tiles,
         [HULL_B_COMPONENTS] = 8 * HULL_MOST_COMPONENTS * tiles,
         [HULL_B_MAP] = 4 * pixels,
+        [HULL_B_EVEN_MAP] = 4 * pixels,
         [HULL_B_VERTEX_PIXELS] = 4 * vertices,
         [HULL_B_VERTICES] = HULL_VERTEX_BYTES * vertices,
         [HULL_B_SHARES] = 4 * vertices,

@@ -72,9 +72,11 @@ static bool draw_triangles(const stages *s, const char *folder)
     canvas_depth(&c, s->depth, (size_t)s->width * (size_t)s->height);
     draw_list(s, HULL_B_CORNERS, HULL_DRAW, (canvas_color){60, 130, 230}, &c);
     draw_list(s, HULL_B_EVEN_CORNERS, HULL_DRAW_EVEN, (canvas_color){70, 190, 90}, &c);
-    for (uint32_t i = 0; i < s->control[HULL_GATHER_END]; i++)
-        canvas_set(&c, (int)(pixels[i] & 0xffff), (int)(pixels[i] >> 16),
-                   (canvas_color){255, 210, 40});
+    uint32_t most = s->h->push.vertex_capacity; /* see map.glsl */
+    for (uint32_t i = 0; i < most; i++)
+        if (i < s->control[HULL_VERTEX_COUNT] || most - i <= s->control[HULL_EVEN_COUNT])
+            canvas_set(&c, (int)(pixels[i] & 0xffff), (int)(pixels[i] >> 16),
+                       (canvas_color){255, 210, 40});
     bool done = canvas_write(&c, folder, "triangles.png");
     canvas_close(&c);
     return done;

@@ -34,7 +34,9 @@ enum {
     HULL_QUAD_COUNT,
     HULL_MEAN = HULL_QUAD_COUNT + 5,
     HULL_PLAIN_GROUPS = HULL_MEAN + 1 + 2 * HULL_RANKS + 1,
-    HULL_CONTROL_WORDS = HULL_PLAIN_GROUPS + 3
+    HULL_EVEN_GROUPS = HULL_PLAIN_GROUPS + 3,
+    HULL_EVEN_COUNT = HULL_EVEN_GROUPS + 3,
+    HULL_CONTROL_WORDS = HULL_EVEN_COUNT + 3
 };
 
 typedef enum hull_pass {
@@ -46,6 +48,7 @@ typedef enum hull_pass {
     HULL_MEAN_SUM,
     HULL_NEXT,
     HULL_GATHER,
+    HULL_GATHER_EVEN,
     HULL_SPLIT,
     HULL_PART,
     HULL_SHARE,
@@ -74,6 +77,7 @@ typedef enum hull_buffer {
     HULL_B_MASKS,      /* 32 words a component */
     HULL_B_COMPONENTS, /* label and number of pixels */
     HULL_B_MAP,        /* a word a pixel */
+    HULL_B_EVEN_MAP,   /* the same */
     HULL_B_VERTEX_PIXELS,
     HULL_B_VERTICES,
     HULL_B_SHARES, /* a word a vertex */

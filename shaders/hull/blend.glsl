@@ -12,11 +12,15 @@ layout(set = 0, binding = 2, std430) readonly buffer Map
 {
     uint map[];
 };
-layout(set = 0, binding = 3, std430) readonly buffer Quads
+layout(set = 0, binding = 3, std430) readonly buffer EvenMap
+{
+    uint even_map[];
+};
+layout(set = 0, binding = 4, std430) readonly buffer Quads
 {
     Quad quads[];
 };
-layout(set = 0, binding = 4, std430) buffer Shares
+layout(set = 0, binding = 5, std430) buffer Shares
 {
     uint shares[]; // the greatest key of a vertex; 0: it is done, or none
 };
@@ -31,17 +35,19 @@ struct Part {
     uint parent;
     float own;
     vec2 place; // in the parent, from -1 to 1
+    bool even;
 };
 
 Part take_part()
 {
     uint index = gl_GlobalInvocationID.x / 5u, which = gl_GlobalInvocationID.x % 5u, corner = which - 1u;
-    Part part = Part(NONE, 0u, 0u, 1.0, vec2(0.0));
+    Part part = Part(NONE, 0u, 0u, 1.0, vec2(0.0), false);
     if (index >= quad_count[level])
         return part;
     index += quad_first[level];
     uint pixel = which == 0u ? quads[index].centre : quads[index].corners[corner];
-    part.slot = vertex_slot(pixel);
+    part.even = is_even(quads[index]);
+    part.slot = vertex_slot(pixel, part.even);
     part.parent = quads[index].parent;
     part.own = quads[part.parent].own;
     ivec2 size = unpack_size(quads[index].size), whole = unpack_size(quads[part.parent].size);
@@ -50,7 +56,7 @@ Part take_part()
     part.place = 2.0 * vec2(at) / vec2(whole) - 1.0;
     // by its share; of two places in one quad always the same one
     uvec2 row = uvec2(at) / 2u;
-    if (part.slot >= gather_first)
+    if (is_new(part.slot))
         part.key = 1u + (uint(part.own * KEY_STEPS) << 10 | row.y << 5 | row.x);
     return part;
 }

@@ -2,7 +2,7 @@
 #include "blend.glsl"
 #include "vertex_kind.glsl"
 
-layout(set = 0, binding = 5, std430) buffer Vertices
+layout(set = 0, binding = 6, std430) buffer Vertices
 {
     Vertex vertices[];
 };
@@ -21,8 +21,8 @@ void main()
     float other = 1.0 - part.own;
     Vertex v = vertex_zero();
     vertex_add(v, part.own, vertices[part.slot]);
-    vertex_add(v, other * (1.0 - out_there), vertices[vertex_slot(quads[part.parent].centre)]);
-    vertex_add(v, other * out_there * (0.5 - 0.5 * along), vertices[vertex_slot(quads[part.parent].corners[from])]);
-    vertex_add(v, other * out_there * (0.5 + 0.5 * along), vertices[vertex_slot(quads[part.parent].corners[to])]);
+    vertex_add(v, other * (1.0 - out_there), vertices[vertex_slot(quads[part.parent].centre, part.even)]);
+    vertex_add(v, other * out_there * (0.5 - 0.5 * along), vertices[vertex_slot(quads[part.parent].corners[from], part.even)]);
+    vertex_add(v, other * out_there * (0.5 + 0.5 * along), vertices[vertex_slot(quads[part.parent].corners[to], part.even)]);
     vertices[part.slot] = v;
 }

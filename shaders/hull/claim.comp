@@ -20,25 +20,29 @@ layout(set = 0, binding = 4, std430) buffer Map
 {
     uint map[]; // a pixel: 0 no vertex, else 1 more than its place in the list
 };
-layout(set = 0, binding = 5, std430) writeonly buffer VertexPixels
+layout(set = 0, binding = 5, std430) buffer EvenMap
+{
+    uint even_map[];
+};
+layout(set = 0, binding = 6, std430) writeonly buffer VertexPixels
 {
     uint vertex_pixels[];
 };
-layout(set = 0, binding = 6, std430) buffer Quads
+layout(set = 0, binding = 7, std430) buffer Quads
 {
     Quad quads[];
 };
 
-layout(set = 0, binding = 7, std430) buffer Arguments
+layout(set = 0, binding = 8, std430) buffer Arguments
 {
     uint exact_groups[3];
     uint exact_count;
 };
-layout(set = 0, binding = 8, std430) writeonly buffer Exact
+layout(set = 0, binding = 9, std430) writeonly buffer Exact
 {
     uint exact_pixels[];
 };
-layout(set = 0, binding = 9, std430) writeonly buffer Shares
+layout(set = 0, binding = 10, std430) writeonly buffer Shares
 {
     uint shares[]; // see blend.glsl
 };
@@ -77,7 +81,7 @@ void main()
     bvec2 one = lessThanEqual(size, ivec2(level == 0u ? ONE_VERTEX : 0));
     ivec2 place = size * ivec2(corner & 1u, corner >> 1);
     p += mix(place, size / 2, which == 0u ? bvec2(true) : one);
-    uint pixel = claim_vertex(component, p);
+    uint pixel = claim_vertex(component, p, is_even(quads[index]));
     if (which == 0u)
         quads[index].centre = pixel;
     else

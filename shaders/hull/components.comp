@@ -60,7 +60,8 @@ void main()
     uint tile = gl_GlobalInvocationID.x;
     if (tile >= tiles_x * tiles_y)
         return;
-    uint left[TILE], right[TILE], down[TILE], mask[TILE], rest[TILE]; // left: without a component
+    uint left[TILE], right[TILE], down[TILE], mask[TILE], unlike[TILE];
+    uint rest[TILE]; // lit exactly; left: without a component yet
     uint gaps = 0u; // 0: every pixel is linked to the next, and every row to the one below
 #define READ(Y)                                                                                    \
     {                                                                                              \
@@ -69,6 +70,7 @@ void main()
         right[Y] = row.y & 0x7fffffffu;                                                            \
         down[Y] = Y < TILE - 1 ? row.z : 0u;                                                       \
         rest[Y] = 0u;                                                                              \
+        unlike[Y] = row.w;                                                                         \
         gaps |= (right[Y] ^ 0x7fffffffu) | (Y < TILE - 1 && down[Y] == 0u ? 1u : 0u);              \
     }
     EACH_ROW(READ)
@@ -101,11 +103,12 @@ void main()
             EACH_ROW(TAKE)
             EACH_ROW_BACK(TAKE)
         }
-        uint pixels = 0u, columns = 0u;
+        uint pixels = 0u, columns = 0u, uneven = 1u - has_even;
         int first = TILE, last = 0;
 #define COUNT(Y)                                                                                   \
     pixels += uint(bitCount(mask[Y]));                                                             \
     columns |= mask[Y];                                                                            \
+    uneven |= unlike[Y] & mask[Y]; /* by their neighbours */                                       \
     first = mask[Y] != 0u ? min(first, Y) : first;                                                 \
     last = mask[Y] != 0u ? Y : last;
         EACH_ROW(COUNT)
@@ -126,7 +129,7 @@ void main()
             ivec2 high = ivec2(findMSB(columns), last) / STEP * STEP + STEP;
             quads[at].origin = pack_pixel(origin + low);
             uint rank = uint(findMSB(pixels)); // of small ones are the pixels lit exactly
-            quads[at].size = pack_pixel(high - low) | rank << 8;
+            quads[at].size = pack_pixel(high - low) | rank << 8 | (uneven == 0u ? EVEN_BIT : 0u);
             atomicAdd(wanted_vertices[rank], 5u);
         }
     }

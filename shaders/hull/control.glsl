@@ -20,6 +20,8 @@ layout(set = 0, binding = CONTROL_BINDING, std430) buffer Control
     uint wanted_quads[16], wanted_vertices[16]; // by rank, at most as many will be made
     uint least_rank;                            // that finds room
     uint plain_groups[3];                       // of emit.comp, where its fans found no room
+    // vertices of components with one normal all over, see map.glsl
+    uint even_groups[3], even_count, even_gather_first, even_gather_end;
 };
 
 #endif

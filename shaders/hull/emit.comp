@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 // emit.comp: the triangles of every leaf: a fan around its centre, whose rim takes in the vertices
 // that smaller neighbours have on it, so that no seam opens between quads of different size. Where a
-// component has one normal all over its quads go to a list of their own: even.vert integrates
-// for it at the vertices. Where the fans of all leaves found no room, the pass runs again and makes two
-// triangles of each, which always do.
+// component has one normal all over its quads go to a list of their own, for even.vert. Where the
+// fans of all leaves found no room, the pass runs again and makes two triangles of each, which
+// always do.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 #include "control.glsl"
@@ -23,19 +23,23 @@ layout(set = 0, binding = 4, std430) readonly buffer Map
 {
     uint map[];
 };
-layout(set = 0, binding = 5, std430) readonly buffer Quads
+layout(set = 0, binding = 5, std430) readonly buffer EvenMap
+{
+    uint even_map[];
+};
+layout(set = 0, binding = 6, std430) readonly buffer Quads
 {
     Quad quads[];
 };
-layout(set = 0, binding = 6, std430) readonly buffer Leaves
+layout(set = 0, binding = 7, std430) readonly buffer Leaves
 {
     uint leaves[];
 };
-layout(set = 0, binding = 7, std430) writeonly buffer Corners
+layout(set = 0, binding = 8, std430) writeonly buffer Corners
 {
-    uvec4 corners[]; // vertex, pixel, component, its centre; three of them a triangle
+    uvec4 corners[]; // vertex, pixel, component; w: 0; three of them a triangle
 };
-layout(set = 0, binding = 8, std430) writeonly buffer EvenCorners
+layout(set = 0, binding = 9, std430) writeonly buffer EvenCorners
 {
     uvec4 even_corners[];
 };
@@ -45,21 +49,12 @@ layout(set = 0, binding = 8, std430) writeonly buffer EvenCorners
 
 const int MOST_STEPS = TILE / STEP;
 
-// Do all pixels of the component have the same normal as their neighbours in it?
-bool is_even(uint component)
-{
-    uint uneven = 0u;
-    for (uint y = 0u; y < uint(TILE); y++)
-        uneven |= links[component / MOST_COMPONENTS * uint(TILE) + y].w & masks[component * uint(TILE) + y];
-    return uneven == 0u;
-}
-
-void write_corner(bool even, uint at, uvec3 corner, uint centre)
+void write_corner(bool even, uint at, uvec3 corner)
 {
     if (even)
-        even_corners[at] = uvec4(corner, centre);
+        even_corners[at] = uvec4(corner, 0u);
     else
-        corners[at] = uvec4(corner, centre);
+        corners[at] = uvec4(corner, 0u);
 }
 
 void main()
@@ -68,12 +63,12 @@ void main()
     if (index >= leaf_count)
         return;
     Quad q = quads[leaves[index]];
-    bool flat_quad = (q.size & FLAT_BIT) != 0u;
+    bool flat_quad = (q.size & FLAT_BIT) != 0u, even = is_even(q);
     ivec2 size = unpack_size(q.size);
     ivec2 tile = tile_origin(q.component), p = unpack_pixel(q.origin) - tile;
-    uint centre = vertex_slot(q.centre), slots[4];
+    uint centre = vertex_slot(q.centre, even), slots[4];
     for (int i = 0; i < 4; i++)
-        slots[i] = vertex_slot(q.corners[i]);
+        slots[i] = vertex_slot(q.corners[i], even);
     bool plain = level > LEVELS; // the second time
 
     // the rim, clockwise from the left top corner
@@ -89,7 +84,7 @@ void main()
             if (i > 0) {
                 slot = NONE;
                 if (!plain && all(lessThan(pixel, ivec2(view.size.xy))) && is_member(q.component, r))
-                    slot = vertex_slot(pack_pixel(pixel)); // NONE where there is no vertex
+                    slot = vertex_slot(pack_pixel(pixel), even); // NONE where there is no vertex
             }
             if (i == 0 || slot != NONE) {
                 rim[count] = slot;
@@ -98,7 +93,6 @@ void main()
         }
     }
     bool two = plain || (count == 4u && flat_quad); // triangles are enough
-    bool even = has_even != 0u && is_even(q.component);
     uint needed = two ? 6u : 3u * count;
     uint first = even ? atomicAdd(even_vertices, needed) : atomicAdd(draw_vertices, needed);
     if (first + needed > corner_capacity)
@@ -107,15 +101,15 @@ void main()
     if (two) {
         for (uint i = 0u; i < 6u; i++) {
             uint corner = i < 3u ? i : i == 3u ? 0u : i - 2u;
-            write_corner(even, first + i, uvec3(rim[corner], at[corner], q.component), q.centre);
+            write_corner(even, first + i, uvec3(rim[corner], at[corner], q.component));
         }
         return;
     }
     for (uint i = 0u; i < count; i++) {
         uint j = i + 1u < count ? i + 1u : 0u;
         uint to = first + 3u * i;
-        write_corner(even, to, uvec3(centre, middle, q.component), q.centre);
-        write_corner(even, to + 1u, uvec3(rim[i], at[i], q.component), q.centre);
-        write_corner(even, to + 2u, uvec3(rim[j], at[j], q.component), q.centre);
+        write_corner(even, to, uvec3(centre, middle, q.component));
+        write_corner(even, to + 1u, uvec3(rim[i], at[i], q.component));
+        write_corner(even, to + 2u, uvec3(rim[j], at[j], q.component));
     }
 }

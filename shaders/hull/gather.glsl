@@ -26,14 +26,25 @@ layout(set = 0, binding = 7, std430) writeonly buffer Vertices
     Vertex vertices[];
 };
 
+// The vertices of this level: which of the list.
+#ifdef VERTEX_EVEN
+#define GATHER_FIRST even_gather_first
+#define GATHER_END even_gather_end
+#define GATHER_SLOT(i) (vertex_capacity - 1u - (i))
+#else
+#define GATHER_FIRST gather_first
+#define GATHER_END gather_end
+#define GATHER_SLOT(i) (i)
+#endif
+
 // Takes the share far of a light of exitance e into the vertex, and into the irradiance at its normal.
 void take(inout Vertex v, inout vec3 exact, vec3 e, float far, float form_factor, vec3 gradient,
           Moments m, Fourth f)
 {
     exact += e * (far * form_factor);
-#ifdef VERTEX_LOBES
+#if defined(VERTEX_LOBES)
     vertex_take(v, e, far, m);
-#else
+#elif !defined(VERTEX_EVEN)
     vertex_take(v, e, far, m, f);
 #endif
     v.gradient0.xyz += e.r * gradient;
@@ -43,25 +54,29 @@ void take(inout Vertex v, inout vec3 exact, vec3 e, float far, float form_factor
 
 void main()
 {
-    uint first = gather_first + TOGETHER * gl_GlobalInvocationID.x, done = 0u;
+    uint first = GATHER_FIRST + TOGETHER * gl_GlobalInvocationID.x, done = 0u;
     Seeker seekers[TOGETHER];
     vec3 normals[TOGETHER], exact[TOGETHER];
     Vertex v[TOGETHER];
     [[unroll]] for (int k = 0; k < TOGETHER; k++) {
-        bool inside = first + uint(k) < gather_end;
-        ivec2 pixel = unpack_pixel(inside ? vertex_pixels[first + uint(k)] : 0u);
+        bool inside = first + uint(k) < GATHER_END;
+        ivec2 pixel = unpack_pixel(inside ? vertex_pixels[GATHER_SLOT(first + uint(k))] : 0u);
         vec4 place = texelFetch(position_image, pixel, 0);
         uvec2 packed = texelFetch(normal_image, pixel, 0).xy;
-        vec3 n = unpack_normal(packed.x), face = unpack_normal(packed.y);
+        vec3 n = unpack_normal(packed.x);
+#ifndef VERTEX_EVEN
         // what holds at a bump's own normal says nothing about its neighbours
-        normals[k] = dot(n, face) > 0.97 ? n : face;
+        vec3 face = unpack_normal(packed.y);
+        n = dot(n, face) > 0.97 ? n : face;
+#endif
+        normals[k] = n;
         seekers[k] = Seeker(place.xyz, place.w, inside ? 0u : nodes_end);
         exact[k] = vec3(0.0);
         v[k] = vertex_zero();
     }
     // lavapipe ends a loop one round after its last invocation, unless the test comes last
     uint at = 0u;
-    if (first < gather_end && nodes_end > 0u)
+    if (first < GATHER_END && nodes_end > 0u)
         do {
             find_lights(at, seekers, mean, done);
             uint i = 0u;
@@ -98,10 +113,10 @@ void main()
                 } while (++i < found_near_count);
         } while (at < nodes_end);
     [[unroll]] for (int k = 0; k < TOGETHER; k++)
-        if (first + uint(k) < gather_end) {
+        if (first + uint(k) < GATHER_END) {
             vertex_finish(v[k], seekers[k].x);
             vertex_local(v[k], exact[k] - vertex_irradiance(v[k], seekers[k].x, normals[k]));
-            vertices[first + uint(k)] = v[k];
+            vertices[GATHER_SLOT(first + uint(k))] = v[k];
         }
     counter_add_group(COUNT_EVALUATIONS, done);
 }

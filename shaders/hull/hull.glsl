@@ -17,6 +17,7 @@ const int STEP = 4;               // pixels; sides of quads are multiples of it
 const int ONE_VERTEX = 8;         // components no longer than this have one vertex along it
 const float FLAT = 0.05;          // with an error below this, of that which splits it, a quad does
 const uint FLAT_BIT = 0x8000u;    // without its centre; noted in its size
+const uint EVEN_BIT = 0x4000u;    // there as well: its component has one normal all over
 const uint RANKS = 16u;           // by which is chosen what finds room, see share_room
 const uint NONE = 0xffffffffu;
 
@@ -34,7 +35,7 @@ layout(push_constant) uniform Push
     // the same split with upsampling, see upsample/far.glsl
     uint factor, blocks_x, blocks_y;
     float plane, power, least;
-    uint has_even; // are quads with one normal all over drawn by themselves?
+    uint has_even; // are components with one normal all over lit and drawn by themselves?
     // the tree over the lights, see tree.glsl
     uint nodes_end;       // how many nodes it has
     float merge;          // error of one light for many, over the mean irradiance, at most

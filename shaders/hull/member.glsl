@@ -1,5 +1,5 @@
 // member.glsl: finding and claiming the vertices of a component. Needs hull.glsl, control.glsl and
-// the buffers Links, Masks, Map, VertexPixels and Shares.
+// the buffers Links, Masks, Map, EvenMap, VertexPixels and Shares.
 #ifndef MEMBER_GLSL
 #define MEMBER_GLSL
 
@@ -60,16 +60,25 @@ ivec2 nearest_member(uint component, ivec2 p)
 }
 
 #ifndef MEMBER_READ_ONLY
-// Makes the member nearest to a place in the tile a vertex, if it is not one yet.
-uint claim_vertex(uint component, ivec2 p)
+// Makes the member nearest to a place in the tile a vertex for quads of this kind, if it is not one
+// yet. There is room: see share_room in next.comp.
+uint claim_vertex(uint component, ivec2 p, bool even)
 {
     uint pixel = pack_pixel(tile_origin(component) + nearest_member(component, p));
     uint at = map_index(pixel);
-    if (map[at] == 0u && atomicCompSwap(map[at], 0u, NONE) == 0u) {
-        uint slot = atomicAdd(vertex_count, 1u); // there is room: see share_room in next.comp
+    uint slot = NONE;
+    if (even) {
+        if (even_map[at] == 0u && atomicCompSwap(even_map[at], 0u, NONE) == 0u) {
+            slot = vertex_capacity - 1u - atomicAdd(even_count, 1u);
+            even_map[at] = slot + 1u;
+        }
+    } else if (map[at] == 0u && atomicCompSwap(map[at], 0u, NONE) == 0u) {
+        slot = atomicAdd(vertex_count, 1u);
+        map[at] = slot + 1u;
+    }
+    if (slot != NONE) {
         vertex_pixels[slot] = pixel;
         shares[slot] = 0u;
-        map[at] = slot + 1u;
     }
     return pixel;
 }

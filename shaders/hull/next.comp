@@ -13,7 +13,7 @@ layout(local_size_x = 1) in;
 void share_room()
 {
     uint child = min(level + 1u, LEVELS - 1u);
-    uint quads = quad_first[child + 1u] - quad_first[child], vertices = vertex_capacity - vertex_count;
+    uint quads = quad_first[child + 1u] - quad_first[child], vertices = vertex_capacity - vertex_count - even_count;
     bool room = true;
     least_rank = 0u;
     for (uint rank = RANKS; rank-- > 0u;) {
@@ -41,14 +41,17 @@ void main()
     gather_first = gather_end;
     gather_end = vertex_count;
     gather_groups[0] = (gather_end - gather_first + 63u) / 64u;
+    even_gather_first = even_gather_end;
+    even_gather_end = even_count;
+    even_groups[0] = (even_gather_end - even_gather_first + 63u) / 64u;
     split_groups[0] = (quad_count[level] + 63u) / 64u;
     near_groups[0] = near_count;
-    claim_groups[1] = claim_groups[2] = gather_groups[1] = gather_groups[2] = 1u;
+    claim_groups[1] = claim_groups[2] = gather_groups[1] = gather_groups[2] = even_groups[1] = even_groups[2] = 1u;
     split_groups[1] = split_groups[2] = leaf_groups[1] = leaf_groups[2] = 1u;
     near_groups[1] = near_groups[2] = 1u;
     draw_instances = even_instances = 1u;
     if (level == LEVELS) { // the last time
         counter_add(COUNT_QUADS, leaf_count);
-        counter_add(COUNT_VERTICES, gather_end);
+        counter_add(COUNT_VERTICES, gather_end + even_gather_end);
     }
 }

@@ -39,6 +39,6 @@ void main()
             quads[at].component = q.component;
             quads[at].parent = index;
             quads[at].origin = pack_pixel(unpack_pixel(q.origin) + part * first_part(size));
-            quads[at++].size = pack_pixel(part_size(size, part));
+            quads[at++].size = pack_pixel(part_size(size, part)) | (q.size & EVEN_BIT);
         }
 }

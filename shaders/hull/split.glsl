@@ -20,16 +20,20 @@ layout(set = 0, binding = 4, std430) readonly buffer Map
 {
     uint map[];
 };
-layout(set = 0, binding = 5, std430) buffer Quads
+layout(set = 0, binding = 5, std430) readonly buffer EvenMap
+{
+    uint even_map[];
+};
+layout(set = 0, binding = 6, std430) buffer Quads
 {
     Quad quads[];
 };
-layout(set = 0, binding = 6, std430) readonly buffer Vertices
+layout(set = 0, binding = 7, std430) readonly buffer Vertices
 {
     Vertex vertices[];
 };
-layout(set = 0, binding = 7) uniform sampler2D position_image;
-layout(set = 0, binding = 8) uniform usampler2D normal_image;
+layout(set = 0, binding = 8) uniform sampler2D position_image;
+layout(set = 0, binding = 9) uniform usampler2D normal_image;
 
 #define MEMBER_READ_ONLY
 #include "member.glsl"
@@ -46,11 +50,11 @@ vec2 split_errors(Quad q)
     n = dot(n, face) > 0.97 ? n : face;
     Vertex middle = vertex_zero(), diagonal = vertex_zero();
     for (int i = 0; i < 4; i++) {
-        Vertex corner = vertices[vertex_slot(q.corners[i])];
+        Vertex corner = vertices[vertex_slot(q.corners[i], is_even(q))];
         vertex_add(middle, 0.25, corner);
         vertex_add(diagonal, i == 0 || i == 3 ? 0.5 : 0.0, corner);
     }
-    vec3 light = vertex_irradiance(vertices[vertex_slot(q.centre)], x, n);
+    vec3 light = vertex_irradiance(vertices[vertex_slot(q.centre, is_even(q))], x, n);
     return inversesqrt(3.0) * vec2(distance(light, vertex_irradiance(middle, x, n)),
                                    distance(light, vertex_irradiance(diagonal, x, n)));
 }
@@ -75,7 +79,7 @@ float change_across(Quad q, bool down)
     ivec2 a = tile + (down ? ivec2(centre.x, first) : ivec2(first, centre.y));
     ivec2 b = tile + (down ? ivec2(centre.x, last) : ivec2(last, centre.y));
     vec3 d = texelFetch(position_image, b, 0).xyz - texelFetch(position_image, a, 0).xyz;
-    Vertex v = vertices[vertex_slot(q.centre)];
+    Vertex v = vertices[vertex_slot(q.centre, is_even(q))];
     vec3 change = vec3(dot(v.gradient0.xyz, d), dot(v.gradient1.xyz, d), dot(v.gradient2.xyz, d));
     return length(change) * inversesqrt(3.0);
 }
@@ -113,6 +117,6 @@ void main()
         atomicAdd(wanted_quads[rank], count);
         atomicAdd(wanted_vertices[rank], count == 4u ? 9u : 5u * count);
     }
-    quads[index].size = pack_pixel(size) | (max(error, errors.y) < FLAT * most ? FLAT_BIT : 0u) | rank << 8
+    quads[index].size = pack_pixel(size) | (q.size & EVEN_BIT) | (max(error, errors.y) < FLAT * most ? FLAT_BIT : 0u) | rank << 8
         | children << 24;
 }
