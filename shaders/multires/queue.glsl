@@ -31,25 +31,27 @@ uvec2 queue_answer(uint place)
     return uvec2(queue_seen[place], queue_seen[64u + place]);
 }
 
-// An invocation writes what 16 of the places want of 2 x 2 squares of the board, four bits each.
+// An invocation writes what the four places of a fragment want of 4 x 4 squares of the board, 16 bits
+// each, by 2 x 2 squares: the rays that go down the tree together are from few places.
 uvec2 queue_line()
 {
-    uint mine = gl_LocalInvocationIndex, first = 64u * (mine >> 5) + 16u * (mine & 3u);
-    uint shift = 16u * (mine >> 4 & 1u) + 2u * (mine >> 2 & 3u);
-    uvec2 line = uvec2(0u);
-    for (uint i = 0u; i < 8u; i++) {
-        uvec2 bits = uvec2(queue_wanted[first + i], queue_wanted[first + 8u + i]) >> shift;
-        line |= ((bits & 3u) | (bits >> 6 & 12u)) << 4u * i;
+    uint mine = gl_LocalInvocationIndex, first = 32u * (mine & 2u) + (mine & 60u);
+    uint bits[4];
+    for (uint i = 0u; i < 4u; i++) {
+        uint rows = queue_wanted[first + i] >> 4u * (mine & 1u) & 0x0f0f0f0fu;
+        rows = (rows | rows >> 4) & 0x00ff00ffu;
+        rows = (rows | rows >> 8) & 0xffffu;
+        bits[i] = (rows & 0xc3c3u) | (rows & 0x0c0cu) << 2 | (rows & 0x3030u) >> 2;
     }
-    return line;
+    return uvec2(bits[0] | bits[1] << 16, bits[2] | bits[3] << 16);
 }
 
 // The place, then the square from bit 6 on, of a bit of this invocation's line.
 uint queue_entry(uint bit)
 {
-    uint mine = gl_LocalInvocationIndex, place = 16u * (mine & 3u) + (bit >> 2);
-    uint square = 16u * (mine >> 4) + 2u * (mine >> 2 & 3u) + (bit & 1u) + 4u * (bit & 2u);
-    return place | square << 6;
+    uint mine = gl_LocalInvocationIndex, place = (mine & 60u) + (bit >> 4);
+    uint square = (bit & 1u) | (bit & 4u) >> 1 | (bit & 2u) << 2 | (bit & 8u) << 1;
+    return place | (square + 4u * (mine & 1u) + 16u * (mine & 2u)) << 6;
 }
 
 void queue_count(uvec2 line)
@@ -68,8 +70,8 @@ void queue_count(uvec2 line)
     barrier();
 }
 
-// After queue_ask, in uniform control flow. Rays from neighbouring places to neighbouring points
-// follow much the same way through the tree: they are side by side.
+// After queue_ask, in uniform control flow. Rays from one place to neighbouring points follow much the
+// same way through the tree: they are side by side.
 void queue_trace(uint light)
 {
     uint mine = gl_LocalInvocationIndex;
