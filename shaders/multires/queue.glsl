@@ -31,8 +31,8 @@ uvec2 queue_answer(uint place)
     return uvec2(queue_seen[place], queue_seen[64u + place]);
 }
 
-// An invocation writes what the four places of a fragment want of 4 x 4 squares of the board, 16 bits
-// each, by 2 x 2 squares: the rays that go down the tree together are from few places.
+// An invocation writes what the four places of a fragment want of 4 x 4 squares of the board, 16
+// bits each, by 2 x 2 squares: the rays that go down the tree together are from few places.
 uvec2 queue_line()
 {
     uint mine = gl_LocalInvocationIndex, first = 32u * (mine & 2u) + (mine & 60u);
@@ -70,8 +70,8 @@ void queue_count(uvec2 line)
     barrier();
 }
 
-// After queue_ask, in uniform control flow. Rays from one place to neighbouring points follow much the
-// same way through the tree: they are side by side.
+// After queue_ask, in uniform control flow. Rays from one place to neighbouring points follow much
+// the same way through the tree: they are side by side.
 void queue_trace(uint light)
 {
     uint mine = gl_LocalInvocationIndex;
