@@ -116,6 +116,7 @@ FarLight far_light(Light l, vec3 x, vec3 n)
 {
     FarLight s = FarLight(Moments(0.0, vec3(0.0), vec3(0.0), vec3(0.0)), Fourth(vec4(0.0), vec4(0.0), 0.0),
                           0.0, vec3(0.0));
+    float along_n = 0.0, along_plane = 0.0; // of the gradient
     vec3 middle = (l.a.xyz + l.b.xyz + l.c.xyz) / 6.0 - x;
     for (int i = 0; i < 3; i++) {
         vec3 r = middle + 0.5 * (i == 0 ? l.a.xyz : i == 1 ? l.b.xyz : l.c.xyz);
@@ -133,9 +134,12 @@ FarLight far_light(Light l, vec3 x, vec3 n)
         s.fourth.b += solid_angle * h.b;
         s.fourth.c += solid_angle * h.c;
         s.form_factor += solid_angle * up;
-        vec3 slope = (4.0 * up * out_of) * w - out_of * n + up * l.plane.xyz;
-        s.gradient += up > 0.0 ? slope * (inv * inv2) : vec3(0.0);
+        float steep = up > 0.0 ? inv * inv2 : 0.0;
+        s.gradient += (4.0 * up * out_of * steep) * w;
+        along_n += out_of * steep;
+        along_plane += up * steep;
     }
+    s.gradient += along_plane * l.plane.xyz - along_n * n;
     float share = l.plane.w / 3.0;
     s.moments.solid_angle *= share;
     s.moments.first *= share;

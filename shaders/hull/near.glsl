@@ -22,8 +22,7 @@ bool may_be_near(Node node, Bounds b, float mean_irradiance)
     vec3 front = mix(b.low.xyz, b.high.xyz, greaterThan(axis, vec3(0.0))) - middle;
     vec3 farthest = max(abs(b.low.xyz - middle), abs(b.high.xyz - middle));
     float up = dot(front, axis) + node.slack + node.spread * length(farthest);
-    return window_place(node_near_error(node, d, b.low.w, mean_irradiance)) > 0.0
-        && up >= light_closest;
+    return any_near(node, d, b.low.w, mean_irradiance) && up >= light_closest;
 }
 
 #endif

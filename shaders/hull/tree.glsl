@@ -82,12 +82,13 @@ bool is_behind(Node node, vec3 x)
     return dot(r, node.axis.xyz) + most < light_closest;
 }
 
-// The estimated error of window.glsl of the nodes' worst light, over tau, d from its rim.
-float node_near_error(Node node, float d, float depth, float mean_irradiance)
+// Is the node's worst light, d from its rim, near to any degree: near_error of window.glsl against where
+// the window begins. Both sides are multiplied out: a division costs as much as ten products.
+bool any_near(Node node, float d, float depth, float mean_irradiance)
 {
-    float h = near_pixels * view.eye.w * depth;
-    float contribution = node.strongest / (PI * d * d + node.smallest);
-    return contribution * h * h / (d * d * tau * mean_irradiance);
+    float h = near_pixels * view.eye.w * depth, d2 = d * d;
+    float begins = exp2(-0.5 * tau_width) * tau * mean_irradiance;
+    return node.strongest * h * h > begins * d2 * (PI * d2 + node.smallest);
 }
 
 // Is it far enough from x to be taken for one light: no light below is near, and the triangle
@@ -96,14 +97,13 @@ float node_near_error(Node node, float d, float depth, float mean_irradiance)
 bool is_one_light(Node node, vec3 x, float depth, float mean_irradiance, out bool all_far)
 {
     float d2;
-    float error = stand_error(node, x, d2) * node.axis.w / (PI * d2);
-    bool good = error <= merge * mean_irradiance;
+    bool good = stand_error(node, x, d2) * node.axis.w <= merge * mean_irradiance * PI * d2;
     all_far = node.middle.w * node.middle.w < THREE_POINTS * THREE_POINTS * d2;
     if (tau > 0.0) {
         float d = max(sqrt(d2) - node.reach, 1e-6);
-        bool none_near = window_place(node_near_error(node, d, depth, mean_irradiance)) <= 0.0;
-        good = good && none_near;
-        all_far = all_far && none_near;
+        bool near = any_near(node, d, depth, mean_irradiance);
+        good = good && !near;
+        all_far = all_far && !near;
     }
     return good || node.leaf;
 }
