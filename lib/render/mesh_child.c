@@ -5,6 +5,7 @@
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,10 +14,12 @@
 #include <unistd.h>
 
 #include "base/buffer.h"
+#include "base/file.h"
 
 enum { DEEPEST = 1000 }; /* nodes below each other */
 
 typedef struct flat {
+    float unit; /* of Assimp's coordinates, in those of the file */
     buffer positions, normals, indices, materials;
     mesh_head head;
 } flat;
@@ -50,11 +53,12 @@ static _Noreturn void fail(int pipe, const char *why)
 static void add_vertices(flat *out, const struct aiMesh *from, const struct aiMatrix4x4 *m)
 {
     for (unsigned i = 0; i < from->mNumVertices; i++) {
-        const struct aiVector3D *p = &from->mVertices[i];
+        const struct aiVector3D *q = &from->mVertices[i];
+        const struct aiVector3D p = {q->x * out->unit, q->y * out->unit, q->z * out->unit};
         const struct aiVector3D none = {0, 0, 0}, *n = from->mNormals ? &from->mNormals[i] : &none;
-        float position[3] = {m->a1 * p->x + m->a2 * p->y + m->a3 * p->z + m->a4,
-                             m->b1 * p->x + m->b2 * p->y + m->b3 * p->z + m->b4,
-                             m->c1 * p->x + m->c2 * p->y + m->c3 * p->z + m->c4};
+        float position[3] = {m->a1 * p.x + m->a2 * p.y + m->a3 * p.z + m->a4,
+                             m->b1 * p.x + m->b2 * p.y + m->b3 * p.z + m->b4,
+                             m->c1 * p.x + m->c2 * p.y + m->c3 * p.z + m->c4};
         /* The matrix of cofactors: right for normals whatever the matrix does to lengths. */
         float normal[3] = {
             (m->b2 * m->c3 - m->b3 * m->c2) * n->x + (m->b3 * m->c1 - m->b1 * m->c3) * n->y +
@@ -126,17 +130,50 @@ static const struct aiScene *import(const char *path, int pipe)
                                    aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
                                    aiComponent_ANIMATIONS | aiComponent_LIGHTS |
                                    aiComponent_CAMERAS);
-    return aiImportFileExWithProperties(path,
-                                        aiProcess_Triangulate | aiProcess_RemoveComponent |
-                                            aiProcess_JoinIdenticalVertices |
-                                            aiProcess_ValidateDataStructure,
-                                        NULL, settings);
+    if (!dot || strcasecmp(dot, ".obj") != 0)
+        return aiImportFileExWithProperties(path, aiProcess_ValidateDataStructure, NULL, settings);
+    size_t size, mended_size;
+    char *text = base_read_file(path, &size), *mended = NULL;
+    if (!text)
+        fail(pipe, "it cannot be read");
+    if (!mesh_obj(text, size, &mended, &mended_size, why))
+        fail(pipe, why);
+    free(text);
+    return mesh_import_bytes(path, mended, mended_size, settings);
+}
+
+/* Assimp cuts polygons and joins vertices with lengths such as 1e-5 in mind, whatever the unit.
+ * What is small is enlarged by a power of two before, which changes no digit. */
+static const struct aiScene *enlarge(const struct aiScene *from, float *unit)
+{
+    const float enough = 1.0F / 64;
+    float most = 0;
+    for (unsigned i = 0; i < from->mNumMeshes; i++)
+        for (unsigned k = 0; k < from->mMeshes[i]->mNumVertices; k++) {
+            const struct aiVector3D *p = &from->mMeshes[i]->mVertices[k];
+            most = fmaxf(most, fmaxf(fabsf(p->x), fmaxf(fabsf(p->y), fabsf(p->z))));
+        }
+    int exponent = 0;
+    if (most > 0 && most < enough)
+        frexpf(most, &exponent);
+    exponent = exponent < -100 ? -100 : exponent;
+    *unit = ldexpf(1, exponent);
+    for (unsigned i = 0; i < from->mNumMeshes && exponent < 0; i++)
+        for (unsigned k = 0; k < from->mMeshes[i]->mNumVertices; k++) {
+            struct aiVector3D *p = &from->mMeshes[i]->mVertices[k];
+            p->x /= *unit;
+            p->y /= *unit;
+            p->z /= *unit;
+        }
+    return aiApplyPostProcessing(from, aiProcess_Triangulate | aiProcess_RemoveComponent |
+                                           aiProcess_JoinIdenticalVertices);
 }
 
 _Noreturn void mesh_child(const char *path, int pipe)
 {
     flat out = {.head = {.magic = MESH_MAGIC}};
     const struct aiScene *from = import(path, pipe);
+    from = from ? enlarge(from, &out.unit) : NULL;
     if (!from || !from->mRootNode)
         fail(pipe, aiGetErrorString());
     struct aiMatrix4x4 identity;
