@@ -8,6 +8,7 @@
 #include "base/buffer.h"
 #include "base/exr.h"
 #include "base/json.h"
+#include "base/text.h"
 #include "internal.h"
 
 /* ---- Reading ------------------------------------------------------------------------- */
@@ -56,6 +57,7 @@ static gpu_status read_albedo(gpu_image *image, output_frame *out)
 gpu_status output_read(render_frame *frame, bool layers, output_frame *out)
 {
     *out = (output_frame){.width = (int)frame->width, .height = (int)frame->height};
+    memcpy(out->origin, frame->scene->origin, sizeof out->origin);
     gpu_status status = output_read_image(frame->image, &out->radiance);
     if (status == GPU_OK)
         status = output_read_image(frame->light, &out->light);
@@ -107,6 +109,19 @@ static void add(channels *to, const char *layer, const char *letters, const floa
     }
 }
 
+/* "x y z"; false where the positions are the description's. */
+static bool write_origin(const output_frame *out, char text[3 * BASE_NUMBER_SIZE + 2])
+{
+    bool moved = false;
+    text[0] = '\0';
+    for (int i = 0; i < 3; i++) {
+        char number[BASE_NUMBER_SIZE];
+        strcat(strcat(text, i ? " " : ""), base_shortest_f64(out->origin[i], number));
+        moved = moved || out->origin[i] != 0;
+    }
+    return moved;
+}
+
 bool output_exr(const char *path, const output_frame *out)
 {
     channels all = {.count = 0};
@@ -122,11 +137,16 @@ bool output_exr(const char *path, const output_frame *out)
         add(&all, "truth", "RGB", out->truth, 4);
         add(&all, "error", "Y", out->errors, 1);
     }
+    char origin[3 * BASE_NUMBER_SIZE + 2];
+    bool moved = write_origin(out, origin);
+    const exr_text attribute = {"origin", origin};
     exr_image image = {.width = out->width,
                        .height = out->height,
                        .channels = all.list,
                        .channel_count = all.count,
-                       .compressed = true};
+                       .compressed = true,
+                       .attributes = &attribute,
+                       .attribute_count = moved && out->position ? 1 : 0};
     return exr_write(path, &image);
 }
 
@@ -135,6 +155,13 @@ bool output_exr(const char *path, const output_frame *out)
 static void add_count(cJSON *object, const char *key, uint64_t count)
 {
     base_json_add_f64(object, key, (double)count);
+}
+
+void output_origin(cJSON *object, const render_scene *scene)
+{
+    cJSON *origin = cJSON_AddArrayToObject(object, "origin");
+    for (int i = 0; i < 3; i++)
+        cJSON_AddItemToArray(origin, base_json_number(scene->origin[i]));
 }
 
 static void output_fragments(cJSON *object, const render_statistics *statistics)

@@ -16,14 +16,16 @@ typedef struct output_frame {
     float *position;            /* the G-buffer, read where layers are asked for, else NULL */
     float *shading, *geometric; /* normals, 3 floats a pixel */
     float *albedo;
+    double origin[3]; /* of the scene: positions count from there */
 } output_frame;
 
 gpu_status output_read(render_frame *frame, bool layers, output_frame *out);
 gpu_status output_read_image(gpu_image *image, float **pixels); /* of GPU_RGBA32F */
 void output_free(output_frame *out);
 
-/* Linear radiance as channels R, G, B, and with layers everything that was read. All three: false
- * after one line. */
+/* Linear radiance as channels R, G, B, and with layers everything that was read. position.X, Y, Z
+ * count from the scene's origin (floats would not hold more); where that is not 0 it is the text
+ * attribute "origin", "x y z" in the description's coordinates. All three: false after one line. */
 bool output_exr(const char *path, const output_frame *out);
 /* Radiance by render_tone, as sRGB. */
 bool output_png(const char *path, int width, int height, const float *radiance, double gain);
@@ -36,6 +38,9 @@ bool output_false_colour(const char *path, int width, int height, const float *v
 /* CSV with columns lambda, cos_theta and weight: the points, as a pipeline's profile gives them,
  * with those that are close to each other merged into their mean. */
 bool output_profile(const char *path, const float *points, size_t count);
+
+/* The scene's origin as an array. */
+void output_origin(cJSON *object, const render_scene *scene);
 
 /* Counts and times, as the keys that README lists. */
 void output_statistics(cJSON *object, const render_statistics *statistics);

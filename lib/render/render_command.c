@@ -179,6 +179,7 @@ static void describe(const settings *s, const render_frame *frame, const render_
     cJSON_AddStringToObject(json, "driver", info->version);
     base_json_add_f64(json, "gain", frame->gain);
     base_json_add_f64(json, "dropped_triangles", (double)frame->scene->dropped_triangles);
+    output_origin(json, frame->scene);
 }
 
 static bool write_statistics(const settings *s, const cJSON *json)

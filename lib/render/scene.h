@@ -40,6 +40,10 @@ typedef struct render_scene {
     uint32_t *materials;      /* 1 a triangle, below material_count */
     float *albedos;           /* 3 a material, each in [0, 1] */
     double low[3], high[3];   /* bounds; 0 where there is no vertex */
+    /* Everything here, and what is rendered of it, counts from this point of the description's
+     * coordinates. 0 unless the middle of the bounds is more than 16 times as far away as they
+     * reach from it (half their diagonal): the devices' floats would not do there. */
+    double origin[3];
     render_camera camera;
     bool has_spot;
     render_spot spot;

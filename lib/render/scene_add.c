@@ -29,10 +29,10 @@ void scene_rotation(const double degrees[3], double r[3][3])
 
 static void move_vertex(const scene_transform *t, const float *from, float *to)
 {
+    double place[3];
+    scene_move(t, from, place);
     for (int i = 0; i < 3; i++)
-        to[i] = (float)(t->rotation[i][0] * t->scale[0] * (double)from[0] +
-                        t->rotation[i][1] * t->scale[1] * (double)from[1] +
-                        t->rotation[i][2] * t->scale[2] * (double)from[2] + t->translation[i]);
+        to[i] = (float)place[i];
 }
 
 /* With the cofactors of the scale; 0 where there is none. */

@@ -37,16 +37,15 @@ static bool place(const cJSON *object, const scene_where *where, const render_sc
                   render_camera *camera)
 {
     static const double from[3] = {0, 0.35, 0.93674969975975972}; /* of length 1 */
-    static const char position[] = "3 numbers of at most 1e15";
     double centre[3], radius;
     scene_sphere(scene, centre, &radius);
     double away = 1.1 * radius / sin(camera->fov_y_deg * pi / 360);
     memcpy(camera->target, centre, sizeof centre);
-    if (!scene_three(object, where, "target", position, false, -longest, longest, camera->target))
+    if (!scene_point(object, where, "target", scene, camera->target))
         return false;
     for (int i = 0; i < 3; i++)
         camera->eye[i] = camera->target[i] + away * from[i];
-    if (!scene_three(object, where, "eye", position, false, -longest, longest, camera->eye))
+    if (!scene_point(object, where, "eye", scene, camera->eye))
         return false;
     if (!scene_has(object, "target") && distance(camera->eye, camera->target) == 0)
         camera->target[2] -= radius;

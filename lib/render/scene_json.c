@@ -57,3 +57,17 @@ bool scene_three(const cJSON *object, const scene_where *where, const char *key,
     }
     return true;
 }
+
+bool scene_point(const cJSON *object, const scene_where *where, const char *key,
+                 const render_scene *scene, double value[3])
+{
+    static const double longest = 1e15;
+    if (!scene_has(object, key))
+        return true;
+    if (!scene_three(object, where, key, "3 numbers of at most 1e15", false, -longest, longest,
+                     value))
+        return false;
+    for (int i = 0; i < 3; i++)
+        value[i] -= scene->origin[i];
+    return true;
+}

@@ -9,8 +9,7 @@
 #include "scene_private.h"
 
 static const double pi = 3.14159265358979323846, longest = 1e15;
-static const char position_text[] = "3 numbers of at most 1e15",
-                  power_text[] = "a number or 3, none of them negative, of at most 1e15";
+static const char power_text[] = "a number or 3, none of them negative, of at most 1e15";
 
 /* The cone from position that holds the sphere of the bounds, within reason. */
 static double angle_round(const double position[3], const double centre[3], double radius)
@@ -40,10 +39,8 @@ bool scene_read_spot(const cJSON *object, const char *path, render_scene *scene)
         spot->target[i] = centre[i];
         spot->position[i] = centre[i] + 2.5 * radius * from[i];
     }
-    if (!scene_three(object, &where, "position", position_text, false, -longest, longest,
-                     spot->position) ||
-        !scene_three(object, &where, "target", position_text, false, -longest, longest,
-                     spot->target))
+    if (!scene_point(object, &where, "position", scene, spot->position) ||
+        !scene_point(object, &where, "target", scene, spot->target))
         return false;
     for (int i = 0; i < 3; i++)
         along[i] = spot->target[i] - spot->position[i];

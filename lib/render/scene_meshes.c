@@ -61,7 +61,7 @@ static bool read_transform(const cJSON *item, const scene_where *where, scene_tr
 }
 
 static bool read_mesh(const cJSON *item, const scene_where *where, const char *scene_dir,
-                      render_scene *scene)
+                      scene_part *part)
 {
     static const char *const keys[] = {"file", "scale", "rotate_deg", "translate", "albedo", NULL};
     if (!cJSON_IsObject(item))
@@ -71,19 +71,14 @@ static bool read_mesh(const cJSON *item, const scene_where *where, const char *s
     const cJSON *file = cJSON_GetObjectItemCaseSensitive(item, "file");
     if (!cJSON_IsString(file) || !file->valuestring[0])
         return scene_refuse(where, "file", "the name of a mesh file", file);
-    scene_transform transform;
-    double albedo[3];
-    if (!read_transform(item, where, &transform) ||
-        !scene_three(item, where, "albedo", "a number or 3, in [0, 1]", true, 0, 1, albedo))
+    if (!read_transform(item, where, &part->transform) ||
+        !scene_three(item, where, "albedo", "a number or 3, in [0, 1]", true, 0, 1, part->albedo))
         return false;
     char *path = find_file(file->valuestring, where, scene_dir);
     if (!path)
         return false;
-    mesh from;
-    bool good = mesh_read(path, NULL, &from);
-    if (good)
-        good = scene_add_mesh(scene, &from, &transform, scene_has(item, "albedo") ? albedo : NULL);
-    mesh_free(&from);
+    bool good = mesh_read(path, NULL, &part->from);
+    part->has_albedo = scene_has(item, "albedo");
     free(path);
     return good;
 }
@@ -100,18 +95,45 @@ static void find_bounds(render_scene *scene)
     }
 }
 
+/* From their places in the description to those from the origin on. */
+static bool add_all(scene_part *parts, size_t count, render_scene *scene)
+{
+    bool good = true;
+    scene_find_origin(parts, count, scene->origin);
+    for (size_t i = 0; i < scene->area_light_count; i++)
+        for (int corner = 0; corner < scene->area_lights[i].corner_count; corner++)
+            for (int k = 0; k < 3; k++)
+                scene->area_lights[i].corners[corner][k] -= scene->origin[k];
+    for (size_t i = 0; good && i < count; i++) {
+        scene_part *part = &parts[i];
+        for (int k = 0; k < 3; k++)
+            part->transform.translation[k] -= scene->origin[k];
+        good = scene_add_mesh(scene, &part->from, &part->transform,
+                              part->has_albedo ? part->albedo : NULL);
+        mesh_free(&part->from);
+    }
+    return good;
+}
+
 bool scene_read_meshes(const cJSON *list, const char *path, const char *scene_dir,
                        render_scene *scene)
 {
     scene_where where = {.path = path};
     if (!cJSON_IsArray(list))
         return scene_refuse(&where, "meshes", "a list of meshes, which may be empty", list);
-    int index = 0;
-    for (const cJSON *item = list->child; item; item = item->next) {
-        snprintf(where.prefix, sizeof where.prefix, "meshes[%d].", index++);
-        if (!read_mesh(item, &where, scene_dir, scene))
-            return false;
+    size_t count = 0, most = (size_t)cJSON_GetArraySize(list);
+    scene_part *parts = calloc(most + 1, sizeof *parts);
+    bool good = parts != NULL;
+    if (!parts)
+        base_error("%s: out of memory", path);
+    for (const cJSON *item = list->child; good && item; item = item->next) {
+        snprintf(where.prefix, sizeof where.prefix, "meshes[%zu].", count);
+        good = read_mesh(item, &where, scene_dir, &parts[count++]);
     }
+    good = good && add_all(parts, count, scene);
+    for (size_t i = 0; i < count; i++)
+        mesh_free(&parts[i].from);
+    free(parts);
     find_bounds(scene);
-    return true;
+    return good;
 }

@@ -29,20 +29,26 @@ bool scene_number(const cJSON *object, const scene_where *where, const char *key
 bool scene_three(const cJSON *object, const scene_where *where, const char *key,
                  const char *expected, bool alone, double low, double high, double value[3]);
 
+/* A point of at most 1e15, from the scene's origin on. */
+bool scene_point(const cJSON *object, const scene_where *where, const char *key,
+                 const render_scene *scene, double value[3]);
+
 bool scene_has(const cJSON *object, const char *key);
 
 /* ---- Parts --------------------------------------------------------------------------------------
  */
 
-/* Reads the meshes of the list and adds their triangles. */
+/* Reads the meshes of the list, finds the scene's origin and adds their triangles. */
 bool scene_read_meshes(const cJSON *list, const char *path, const char *scene_dir,
                        render_scene *scene);
+
+/* This goes before scene_read_meshes; corners are the description's. */
+bool scene_read_area_lights(const cJSON *list, const char *path, render_scene *scene);
 
 /* These follow scene_read_meshes: what is not given follows from the bounds. object: NULL where the
  * key is absent. */
 bool scene_read_camera(const cJSON *object, const char *path, render_scene *scene);
 bool scene_read_spot(const cJSON *object, const char *path, render_scene *scene);
-bool scene_read_area_lights(const cJSON *list, const char *path, render_scene *scene);
 
 /* Centre and radius of a sphere round the bounds; 0 and 1 for an empty scene. */
 void scene_sphere(const render_scene *scene, double centre[3], double *radius);
@@ -54,6 +60,22 @@ void scene_sphere(const render_scene *scene, double centre[3], double *radius);
 typedef struct scene_transform {
     double scale[3], rotation[3][3], translation[3];
 } scene_transform;
+
+/* A mesh that is read, and how it comes into the scene. */
+typedef struct scene_part {
+    mesh from;
+    scene_transform transform;
+    bool has_albedo; /* in place of the materials' */
+    double albedo[3];
+} scene_part;
+
+/* The place of a vertex by the transform. */
+void scene_move(const scene_transform *transform, const float from[3], double to[3]);
+
+/* render_scene.origin for these meshes: the middle of their bounds where it is far away, rounded to
+ * a power of ten that is not below their radius, so that whole numbers stay whole and a scene that
+ * was moved by a round number comes out as it was. */
+void scene_find_origin(const scene_part *parts, size_t count, double origin[3]);
 
 void scene_rotation(const double degrees[3], double rotation[3][3]);
 
