@@ -38,7 +38,8 @@ bool scene_has(const cJSON *object, const char *key);
 /* ---- Parts --------------------------------------------------------------------------------------
  */
 
-/* Reads the meshes of the list, finds the scene's origin and adds their triangles. */
+/* Reads the meshes of the list, finds the origin, moves the area lights there and adds triangles.
+ */
 bool scene_read_meshes(const cJSON *list, const char *path, const char *scene_dir,
                        render_scene *scene);
 
