@@ -126,11 +126,60 @@ static void lights_in_parts_are_the_same(void **state)
     fixture_close(&f);
 }
 
+static void scale_points(double (*points)[3], int count, double by)
+{
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            points[i][k] *= by;
+}
+
+static void scale_scene(render_scene *scene, double by)
+{
+    for (size_t i = 0; i < 3 * scene->vertex_count; i++)
+        scene->positions[i] *= (float)by;
+    scale_points(&scene->low, 1, by);
+    scale_points(&scene->high, 1, by);
+    scale_points(&scene->camera.eye, 1, by);
+    scale_points(&scene->camera.target, 1, by);
+    scene->camera.near *= by;
+    scene->camera.far *= by;
+    for (size_t l = 0; l < scene->area_light_count; l++)
+        scale_points(scene->area_lights[l].corners, scene->area_lights[l].corner_count, by);
+}
+
+/* A room of a quarter of a millimetre, its lights and camera with it, is as bright as one of 2 m.
+ */
+static void a_small_room_is_as_bright(void **state)
+{
+    (void)state;
+    static const render_pipeline *const some[] = {&exact_pipeline, &shadows_pipeline};
+    fixture f;
+    double sums[2][2];
+    fixture_open(&f, "box_area", 24, 16);
+    f.scene.has_spot = false;
+    for (int small = 0; small < 2; small++) {
+        fixture_close_frame(&f);
+        scale_scene(&f.scene, small ? 0x1p-13 : 1);
+        fixture_frame(&f, 24, 16);
+        for (int i = 0; i < 2; i++) {
+            render_statistics statistics;
+            sums[small][i] = sum_light(&f, some[i], &statistics);
+        }
+    }
+    for (int i = 0; i < 2; i++) {
+        assert_true(sums[0][i] > 0);
+        if (!(fabs(sums[1][i] - sums[0][i]) < 0.005 * sums[0][i]))
+            fail_msg("%s: %g, large %g", some[i]->id, sums[1][i], sums[0][i]);
+    }
+    fixture_close(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lights_that_reach_nothing_are_dark),
         cmocka_unit_test(lights_in_parts_are_the_same),
+        cmocka_unit_test(a_small_room_is_as_bright),
         cmocka_unit_test(hundreds_of_lights_are_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

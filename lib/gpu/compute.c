@@ -5,15 +5,18 @@
 #include <string.h>
 #include <time.h>
 
-static VkResult create_pipeline(gpu_compute *compute, VkShaderModule module, bool statistics)
+static VkResult create_pipeline(gpu_compute *compute, VkShaderModule module,
+                                const gpu_compute_options *options)
 {
+    const VkSpecializationInfo constants = gpu_constants(&options->constant);
     VkComputePipelineCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-        .flags = statistics ? VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR : 0,
+        .flags = options->statistics ? VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR : 0,
         .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                   .stage = VK_SHADER_STAGE_COMPUTE_BIT,
                   .module = module,
-                  .pName = "main"},
+                  .pName = "main",
+                  .pSpecializationInfo = &constants},
         .layout = compute->layout.pipeline};
     return vkCreateComputePipelines(compute->owner->device, VK_NULL_HANDLE, 1, &info, NULL,
                                     &compute->pipeline);
@@ -54,7 +57,7 @@ static gpu_status make_compute(gpu_device *device, const gpu_compute_options *op
     memcpy(compute->layout.bindings, options->bindings, sizeof options->bindings);
     VkResult result = gpu_layout_create(device, &compute->layout);
     if (result == VK_SUCCESS)
-        result = create_pipeline(compute, module, options->statistics);
+        result = create_pipeline(compute, module, options);
     if (result == VK_SUCCESS && !device->info.compile_only)
         result = create_set(compute);
     vkDestroyShaderModule(device->device, module, NULL);

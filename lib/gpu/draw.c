@@ -28,23 +28,28 @@ static const VkPipelineDynamicStateCreateInfo dynamic = {
     .pDynamicStates = dynamic_states};
 
 static VkPipelineShaderStageCreateInfo stage_info(VkShaderStageFlagBits stage,
-                                                  VkShaderModule module)
+                                                  VkShaderModule module,
+                                                  const VkSpecializationInfo *constants)
 {
     return (VkPipelineShaderStageCreateInfo){
         .sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
         .stage = stage,
         .module = module,
-        .pName = "main"};
+        .pName = "main",
+        .pSpecializationInfo = constants};
 }
 
 static VkResult create_pipeline(gpu_draw *draw, VkShaderModule vertex, VkShaderModule fragment,
-                                bool lines)
+                                const gpu_draw_options *options)
 {
-    VkPipelineShaderStageCreateInfo stages[] = {stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex),
-                                                stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
+    const VkSpecializationInfo constants = gpu_constants(&options->constant);
+    VkPipelineShaderStageCreateInfo stages[] = {
+        stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex, &constants),
+        stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, fragment, &constants)};
     VkPipelineInputAssemblyStateCreateInfo assembly = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
-        .topology = lines ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+        .topology =
+            options->lines ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
     VkPipelineDepthStencilStateCreateInfo depth = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
         .depthTestEnable = draw->depth,
@@ -109,7 +114,7 @@ static gpu_status create(gpu_draw *draw, const gpu_draw_options *options)
     if (status == GPU_OK) {
         VkResult result = gpu_layout_create(device, &draw->layout);
         if (result == VK_SUCCESS)
-            result = create_pipeline(draw, vertex, fragment, options->lines);
+            result = create_pipeline(draw, vertex, fragment, options);
         if (result != VK_SUCCESS)
             status = gpu_vk(result, options->name);
     }

@@ -128,6 +128,7 @@ typedef struct gpu_compute_options {
     int binding_count; /* set 0, bindings 0 to binding_count - 1 */
     gpu_binding bindings[GPU_MAX_BINDINGS];
     uint32_t push_size; /* bytes of push constants, a multiple of 4 */
+    float constant;     /* the shader's constant_id 0, a float; 0: as the shader has it */
     bool statistics;    /* keep them for gpu_compute_statistics */
 } gpu_compute_options;
 

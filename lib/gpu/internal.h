@@ -113,6 +113,9 @@ void gpu_keep_no_more(gpu_device *device);
 
 /* layout.c */
 VkResult gpu_layout_create(gpu_device *device, gpu_layout *layout);
+
+/* constant_id 0 of a stage, nothing where it is 0. The value is pointed to. */
+VkSpecializationInfo gpu_constants(const float *constant);
 void gpu_layout_destroy(gpu_device *device, gpu_layout *layout);
 /* A pool for one set of each layout that is given; none, and NULL, where count is 0. */
 VkResult gpu_layout_pool(gpu_device *device, const gpu_layout *const *layouts, size_t count,

@@ -30,6 +30,7 @@ static size_t compute_key(const gpu_compute_options *options, unsigned char *key
     add(key, &size, options->bindings,
         (size_t)options->binding_count * sizeof options->bindings[0]);
     add(key, &size, &options->push_size, sizeof options->push_size);
+    add(key, &size, &options->constant, sizeof options->constant);
     add(key, &size, options->words, options->word_count * sizeof *options->words);
     return size;
 }
@@ -44,6 +45,7 @@ static size_t draw_key(const gpu_draw_options *options, unsigned char *key)
     add(key, &size, options->bindings,
         (size_t)options->binding_count * sizeof options->bindings[0]);
     add(key, &size, &options->push_size, sizeof options->push_size);
+    add(key, &size, &options->constant, sizeof options->constant);
     add(key, &size, &options->target_count, sizeof options->target_count);
     add(key, &size, options->targets, (size_t)options->target_count * sizeof options->targets[0]);
     add(key, &size, &vertex->word_count, sizeof vertex->word_count);

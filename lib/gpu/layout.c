@@ -126,3 +126,12 @@ gpu_status gpu_layout_write(gpu_device *device, const gpu_layout *layout, const 
     vkUpdateDescriptorSets(device->device, (uint32_t)layout->binding_count, writes, 0, NULL);
     return GPU_OK;
 }
+
+VkSpecializationInfo gpu_constants(const float *constant)
+{
+    static const VkSpecializationMapEntry first = {.size = sizeof *constant};
+    return (VkSpecializationInfo){.mapEntryCount = *constant != 0,
+                                  .pMapEntries = &first,
+                                  .dataSize = sizeof *constant,
+                                  .pData = constant};
+}

@@ -62,6 +62,7 @@ typedef struct gpu_draw_options {
     int binding_count; /* set 0, bindings 0 to binding_count - 1, seen by both stages */
     gpu_binding bindings[GPU_MAX_BINDINGS];
     uint32_t push_size; /* seen by both stages */
+    float constant;     /* constant_id 0 of both stages, a float; 0: as they have it */
     int target_count;
     gpu_format targets[GPU_MAX_TARGETS];
     bool depth; /* a GPU_DEPTH32 target, tested and written: nearer (less) wins, first one at

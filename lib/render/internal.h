@@ -43,6 +43,11 @@ gpu_status geometry_draw(const geometry *geometry, gpu_buffer *view, const gbuff
 /* lights.c: fills frame->lights and light_count; ms as above, of drawing the shadow map. */
 gpu_status lights_create(render_frame *frame, const geometry *geometry, double *ms);
 
+/* lights.c: light_closest of shaders/common/lights.glsl, for the `constant` of shaders: 2 mm, which
+ * the shaders have and 0 stands for, or as much of the scene's longest side in metres where that is
+ * below 1 m. */
+float render_closest(const render_frame *frame);
+
 /* profile.c: runs a draw into one RGBA32F target, its push constant an int32_t, 0 to layers - 1,
  * and collects the points for render_pipeline.profile: texels with w != 0 and a weight (z) above 0.
  */

@@ -173,6 +173,15 @@ static gpu_status read_map(render_frame *frame, const gbuffer *map, light_data *
     return status;
 }
 
+float render_closest(const render_frame *frame)
+{
+    const render_scene *scene = frame->scene;
+    double side = 0;
+    for (int i = 0; i < 3; i++)
+        side = fmax(side, scene->high[i] - scene->low[i]);
+    return side > 0 && side < 1 ? (float)(0.002 * side) : 0;
+}
+
 /* As far as the farthest corner of the scene's bounds. */
 static double reach(const render_scene *scene)
 {

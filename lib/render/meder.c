@@ -1,6 +1,7 @@
 /* The pipeline of Meder and Bruederlin's paper, as printed: downsampling, segmentation, bounding
  * boxes, quads, light gathered at their corners and integrated at their pixels. */
 #include "meder.h"
+#include "internal.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -88,7 +89,8 @@ static gpu_status create_light(render_frame *frame, meder *m)
                                 .fragment = render_shader(fragment),
                                 .binding_count = MEDER_DRAW_BINDINGS,
                                 .target_count = 1,
-                                .targets = {GPU_RGBA32F}};
+                                .targets = {GPU_RGBA32F},
+                                .constant = render_closest(frame)};
     meder_draw_bindings(options.bindings);
     gpu_status status = GPU_OK;
     if (method && strcmp(method, "standard") != 0)

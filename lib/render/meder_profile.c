@@ -11,7 +11,8 @@ static gpu_status create_draw(render_frame *frame, gpu_draw **draw)
                                 .binding_count = MEDER_DRAW_BINDINGS,
                                 .push_size = sizeof(int32_t),
                                 .target_count = 1,
-                                .targets = {GPU_RGBA32F}};
+                                .targets = {GPU_RGBA32F},
+                                .constant = render_closest(frame)};
     meder_draw_bindings(options.bindings);
     return gpu_draw_create(frame->device, &options, draw);
 }

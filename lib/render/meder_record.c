@@ -1,4 +1,5 @@
 /* The last run's quads once more, with shaders that write down what they make. */
+#include "internal.h"
 #include "meder.h"
 
 #include <stdlib.h>
@@ -11,7 +12,8 @@ static gpu_status create_draw(render_frame *frame, gpu_draw **draw)
                                 .fragment = render_shader("meder/dump.frag"),
                                 .binding_count = MEDER_DRAW_BINDINGS + 1,
                                 .target_count = 1,
-                                .targets = {GPU_RGBA32F}};
+                                .targets = {GPU_RGBA32F},
+                                .constant = render_closest(frame)};
     meder_draw_bindings(options.bindings);
     return gpu_draw_create(frame->device, &options, draw);
 }

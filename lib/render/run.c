@@ -125,7 +125,8 @@ gpu_status render_compute(render_frame *frame, const char *path, bool method,
                                    .words = shader.words,
                                    .word_count = shader.word_count,
                                    .binding_count = binding_count,
-                                   .push_size = push_size};
+                                   .push_size = push_size,
+                                   .constant = render_closest(frame)};
     memcpy(options.bindings, bindings, (size_t)binding_count * sizeof *bindings);
     gpu_status status = gpu_compute_create(frame->device, &options, compute);
     free((char *)shader.source);

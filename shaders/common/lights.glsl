@@ -8,8 +8,9 @@ struct Light {
     vec4 plane;   // unit normal towards that side; w: area (m^2)
 };
 
-// A point less than this in front of a light's plane gets nothing from it.
-const float light_closest = 0.002;
+// A point less than this (m) in front of a light's plane gets nothing from it. In small scenes the
+// renderer gives another, in proportion to their size.
+layout(constant_id = 0) const float light_closest = 0.002;
 
 vec3 light_exitance(Light l)
 {
