@@ -13,6 +13,8 @@ static uint32_t light_with_split(render_frame *frame, float split, float *light)
 {
     hull_settings settings = hull_standard;
     settings.split = split;
+    settings.tau = 0.2F; /* fewer near lights than usual leave more to split */
+    settings.tau_width = 3;
     render_statistics statistics = {0};
     void *state;
     check(hull_create(frame, &settings, &state));

@@ -10,8 +10,8 @@ const hull_settings hull_standard = {
     .link_plane = 0.04F,
     .link_cosine = 0.3F,
     .split = 0.05F,
-    .tau = 0.2F,
-    .tau_width = 3,
+    .tau = 0.15F,
+    .tau_width = 5,
     .near_pixels = 16,
     .merge = 0.002F,
 };
@@ -68,8 +68,19 @@ static gpu_status create_passes(render_frame *frame, hull *h)
     return status;
 }
 
+/* Of an image of more pixels than usual less error is asked in proportion to their size: the
+ * threshold of splitting and of near lights falls, and so does the angle that two neighbours of one
+ * surface may enclose. Down to half, from where on the time that it takes is worth more. */
+static float tolerance(const render_frame *frame)
+{
+    const float usual = 1280.0F * 720.0F, least = 0.5F;
+    float pixels = (float)frame->width * (float)frame->height;
+    return pixels > usual ? fmaxf(sqrtf(usual / pixels), least) : 1;
+}
+
 gpu_status hull_create(render_frame *frame, const hull_settings *settings, void **state)
 {
+    float share = tolerance(frame);
     *state = NULL;
     hull *h = calloc(1, sizeof *h);
     if (!h)
@@ -79,13 +90,13 @@ gpu_status hull_create(render_frame *frame, const hull_settings *settings, void 
     h->tiles = x * y;
     h->blocks = 16 * h->tiles;
     h->kind = settings->kind;
-    h->tau = settings->tau;
+    h->tau = share * settings->tau;
     h->push = (hull_push){.tiles_x = x,
                           .tiles_y = y,
                           .link_plane = settings->link_plane,
-                          .link_cosine = settings->link_cosine,
-                          .split = settings->split,
-                          .tau = settings->tau,
+                          .link_cosine = cosf(share * acosf(settings->link_cosine)),
+                          .split = share * settings->split,
+                          .tau = h->tau,
                           .tau_width = settings->tau_width,
                           .near_pixels = settings->near_pixels,
                           .plane = settings->plane,
