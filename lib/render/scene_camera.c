@@ -50,8 +50,10 @@ static bool place(const cJSON *object, const scene_where *where, const render_sc
     if (!scene_has(object, "target") && distance(camera->eye, camera->target) == 0)
         camera->target[2] -= radius;
     if (!(distance(camera->eye, camera->target) > 1e-9))
-        return scene_refuse(where, "target", "another place than the eye",
-                            cJSON_GetObjectItemCaseSensitive(object, "target"));
+        return scene_refuse(
+            where, "target",
+            "another place than the eye, more than 1e-9 m away (smaller scenes are not taken)",
+            cJSON_GetObjectItemCaseSensitive(object, "target"));
     double up[3] = {0, 1, 0};
     if (!scene_has(object, "up") && is_along(up, camera))
         up[1] = 0, up[2] = -1;
