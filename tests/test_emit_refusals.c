@@ -8,9 +8,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 #include <cmocka.h>
 
+#include "base/file.h"
 #include "capture.h"
 #include "emit_sources.h"
 #include "program.h"
@@ -180,6 +182,31 @@ static void test_failed_writes(void **state)
     run_free(&emitted);
 }
 
+/* The limit's signal would end the program without a word and leave a part of the file. */
+static void test_a_limit_on_files_is_told(void **state)
+{
+    (void)state;
+    struct rlimit usual, low;
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &usual), 0);
+    low = usual;
+    low.rlim_cur = 2048;
+    char *folder = base_join(work.folder, "limited"), *path = base_join(folder, "sg.glsl");
+    assert_true(base_make_directory(folder));
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &low), 0);
+    run emitted = RUN(NULL, "emit", "--method", "standard", "--out", path);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &usual), 0);
+    assert_int_equal(emitted.status, 1);
+    assert_one_line(emitted.error, "sg.glsl", "File too large");
+    run_free(&emitted);
+    char **names;
+    size_t count;
+    assert_true(base_list(folder, "", &names, &count));
+    assert_int_equal(count, 0);
+    base_list_free(names, count);
+    free(path);
+    free(folder);
+}
+
 static int open_workspace(void **state)
 {
     (void)state;
@@ -196,6 +223,7 @@ int main(void)
         cmocka_unit_test(test_bad_plain_texts_are_refused),
         cmocka_unit_test(test_bad_arguments_are_refused),
         cmocka_unit_test(test_failed_writes),
+        cmocka_unit_test(test_a_limit_on_files_is_told),
     };
     return cmocka_run_group_tests(tests, open_workspace, close_work);
 }

@@ -120,6 +120,29 @@ static void folders_are_made_and_listed_in_order(void **state)
     free(deep);
 }
 
+static void names_of_one_file_are_known(void **state)
+{
+    (void)state;
+    char *file = workspace_file(&work, "single", "x"),
+         *link = base_join(work.folder, "link_to_single");
+    char *dotted = base_join(work.folder, "./single"), *coming = base_join(work.folder, "coming");
+    char *dotted_coming = base_join(work.folder, "./coming");
+    assert_int_equal(symlink(file, link), 0);
+    assert_true(base_same_file(file, file));
+    assert_true(base_same_file(file, link));
+    assert_true(base_same_file(dotted, file));
+    assert_true(base_same_file(coming, dotted_coming));
+    assert_true(base_same_file("coming", "./coming"));
+    assert_false(base_same_file(file, coming));
+    assert_false(base_same_file("/no/such/folder/x", "/no/such/folder/x"));
+    assert_false(base_same_file("/dev/null", "/dev/null"));
+    free(dotted_coming);
+    free(coming);
+    free(dotted);
+    free(link);
+    free(file);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -127,6 +150,7 @@ int main(void)
         cmocka_unit_test(a_link_and_a_device_stay_what_they_are),
         cmocka_unit_test(what_cannot_be_written_or_read_is_named),
         cmocka_unit_test(folders_are_made_and_listed_in_order),
+        cmocka_unit_test(names_of_one_file_are_known),
     };
     return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -209,6 +209,11 @@ static void wrong_input_is_refused_in_one_line(void **state)
     assert_int_equal(r.status, 2);
     assert_one_line(r.error, "exact");
     run_free(&r);
+    /* One file for two outputs: the second would silently replace the first. */
+    r = RUN(NULL, "render", "--size", "8x8", "--out", "twice", "--stats", "./twice");
+    assert_int_equal(r.status, 2);
+    assert_one_line(r.error, "--stats: expected a file of its own, found that of --out");
+    run_free(&r);
 }
 
 static void a_missing_device_is_one_line(void **state)

@@ -25,6 +25,10 @@ char *base_read_file(const char *path, size_t *size);
 /* mkdir -p; false after one line. */
 bool base_make_directory(const char *path);
 
+/* Whether both paths, whose files need not exist, name one file that writing the second would
+ * replace. Devices and pipes are never that: what is written there follows. */
+bool base_same_file(const char *a, const char *b);
+
 /* "folder/name", malloc'ed. */
 char *base_join(const char *folder, const char *name);
 

@@ -37,6 +37,33 @@ static bool is_directory(const char *path)
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
+/* The path without links or dots, malloc'ed; NULL where there is no such folder. */
+static char *place_of(const char *path)
+{
+    char *whole = realpath(path, NULL);
+    if (whole)
+        return whole;
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    char *real = folder ? realpath(folder, NULL) : NULL;
+    char *place = real ? base_join(real, slash ? slash + 1 : path) : NULL;
+    free(real);
+    free(folder);
+    return place;
+}
+
+bool base_same_file(const char *a, const char *b)
+{
+    struct stat status;
+    if (stat(a, &status) == 0 && !S_ISREG(status.st_mode))
+        return false;
+    char *first = place_of(a), *second = place_of(b);
+    bool same = first && second && strcmp(first, second) == 0;
+    free(first);
+    free(second);
+    return same;
+}
+
 bool base_make_directory(const char *path)
 {
     char *partial = strdup(path);

@@ -7,9 +7,23 @@
 
 #include "base/buffer.h"
 #include "base/exr.h"
+#include "base/file.h"
 #include "base/json.h"
 #include "base/text.h"
 #include "internal.h"
+
+bool output_are_apart(const char *const files[4])
+{
+    static const char *const names[] = {"out", "png", "stats", "profile"};
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < i; j++)
+            if (files[i] && files[j] && base_same_file(files[j], files[i])) {
+                base_error("--%s: expected a file of its own, found that of --%s: %s", names[i],
+                           names[j], files[i]);
+                return false;
+            }
+    return true;
+}
 
 /* ---- Reading ------------------------------------------------------------------------- */
 

@@ -19,6 +19,10 @@ typedef struct output_frame {
     double origin[3]; /* of the scene: positions count from there */
 } output_frame;
 
+/* Whether --out, --png, --stats and --profile, NULL where not given, are files of their own: one
+ * would silently replace the other. False after one line. */
+bool output_are_apart(const char *const files[4]);
+
 gpu_status output_read(render_frame *frame, bool layers, output_frame *out);
 gpu_status output_read_image(gpu_image *image, float **pixels); /* of GPU_RGBA32F */
 void output_free(output_frame *out);

@@ -32,11 +32,9 @@ static const long not_given = LONG_MIN;
 
 static const render_pipeline *choose_pipeline(const char *id)
 {
-    const render_pipeline *pipeline = render_pipeline_find(id ? id : "hull");
+    const render_pipeline *pipeline = render_pipeline_find(id);
     if (pipeline)
         return pipeline;
-    if (!id)
-        return render_pipelines[0];
     buffer known = {NULL, 0, 0};
     for (int i = 0; render_pipelines[i]; i++)
         buffer_print(&known, "%s%s", i ? ", " : "", render_pipelines[i]->id);
@@ -185,10 +183,8 @@ static void describe(const settings *s, const render_frame *frame, const render_
 static bool write_statistics(const settings *s, const cJSON *json)
 {
     char *text = base_json_print(json);
-    bool good = true;
-    if (s->stats)
-        good = base_write_file(s->stats, text, strlen(text));
-    else
+    bool good = !s->stats || base_write_file(s->stats, text, strlen(text));
+    if (!s->stats)
         fputs(text, stdout);
     free(text);
     return good;
@@ -259,7 +255,8 @@ static bool render(const settings *s, const render_options *options,
 
 int render_command(int argc, char **argv)
 {
-    settings s = {.size = "1280x720",
+    settings s = {.pipeline = "hull",
+                  .size = "1280x720",
                   .runs = 1,
                   .volume = not_given,
                   .steps = not_given,
@@ -267,17 +264,17 @@ int render_command(int argc, char **argv)
     int status = read_arguments(argc, argv, &s);
     if (status >= 0)
         return status;
-    render_options options = {.method = s.method, .detailed_normals = s.detailed};
+    render_options options = {
+        .method = s.method, .detailed_normals = s.detailed, .runs = (int)s.runs};
     const render_pipeline *pipeline = choose_pipeline(s.pipeline);
-    if (!pipeline || !read_size(s.size, &options))
+    const char *const files[] = {s.out, s.png, s.stats, s.profile};
+    if (!pipeline || !read_size(s.size, &options) || !read_indirect(&s, &options) ||
+        !output_are_apart(files))
         return BASE_USAGE;
     if (s.runs < 1 || s.runs > MOST_RUNS) {
         base_error("--runs: expected a number from 1 to %d, found %ld", MOST_RUNS, s.runs);
         return BASE_USAGE;
     }
-    options.runs = (int)s.runs;
-    if (!read_indirect(&s, &options))
-        return BASE_USAGE;
     if (s.method && !sg_method_find(s.method)) {
         base_error("--method: expected one that sgfit methods lists, found \"%s\"", s.method);
         return BASE_USAGE;
