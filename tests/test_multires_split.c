@@ -3,6 +3,7 @@
 #include "multires_fixture.h"
 
 #include "embree.h"
+#include "workspace.h"
 
 enum { WIDTH = 152, HEIGHT = 98 };
 
@@ -236,11 +237,61 @@ static void fragments_split_where_visibility_differs(void **state)
     fixture_close(&f);
 }
 
+/* A plane with a light close above it, between the samples of a fragment. */
+static void open_spot(fixture *f)
+{
+    char folder[1000];
+    const char *root = getenv("SGFIT_ROOT");
+    snprintf(folder, sizeof folder, "%s/tests/scenes", root ? root : ".");
+    workspace at;
+    workspace_open(&at);
+    workspace_write(&at, "spot.json",
+                    "{\"meshes\": [{\"file\": \"plane.obj\"}],"
+                    " \"camera\": {\"eye\": [0, 1.2, 0.6], \"target\": [0, 0, 0]},"
+                    " \"area_lights\": [{\"exitance\": 9, \"vertices\": ["
+                    "[0, 0.02, 0], [0.02, 0.02, 0], [0.02, 0.02, 0.02], [0, 0.02, 0.02]]}]}");
+    *f = (fixture){.device = open_software_device()};
+    assert_true(render_scene_read(at.path, folder, &f->scene));
+    workspace_close(&at);
+    fixture_frame(f, WIDTH, HEIGHT);
+}
+
+static void a_spot_between_samples_splits(void **state)
+{
+    (void)state;
+    fixture f;
+    open_spot(&f);
+    multires m;
+    run_first(&f, &m);
+    gpu_buffer *between;
+    gpu_compute *test = compile_test(&f, &between);
+    gpu_step step = multires_list_step(&f.frame, &m, "test", test, 4, 4, between);
+    must(gpu_run(f.device, &step, 1, NULL));
+    int kept = 0;
+    double most = 0, worst = 0, worth = exitance(f.scene.area_lights) / mean_of(&m);
+    for (uint32_t y = 0; y < HEIGHT; y++)
+        for (uint32_t x = 0; x < WIDTH; x++) {
+            bool is_final = state_of(&m, 4, x / 16, y / 16) == STATE_FINAL;
+            double light = worth * form_factor(&f, f.scene.area_lights, x, y);
+            most = fmax(most, light);
+            worst = is_final ? fmax(worst, light) : worst;
+            kept += is_final;
+        }
+    printf("spot of %g times the mean irradiance; in %d pixels of final fragments up to %g\n", most,
+           kept, worst);
+    assert_true(most > 5 && kept > 0 && worst < 5);
+    gpu_compute_destroy(test);
+    gpu_buffer_destroy(between);
+    multires_destroy(&m);
+    fixture_close(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_mean_is_that_of_a_pixel_a_tile),
         cmocka_unit_test(fragments_split_where_visibility_differs),
+        cmocka_unit_test(a_spot_between_samples_splits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

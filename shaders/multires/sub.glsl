@@ -32,6 +32,7 @@ void look_at_light(uint light, uint round, bool one_surface, Surface s, Surface 
     uvec2 set = squares_of(mine & 3u);
     uvec2 squares = bright ? uvec2(0xffffffffu) : again || joined ? set : squares_of(0u);
     squares = form > 0.0 ? squares : uvec2(0u);
+    bool uneven = points == POINTS_BOTH && !again && is_uneven(light, s, corner, form);
     Seen seen;
     for (uint turn = 0u; turn <= round; turn++) {
         Surface from = s;
@@ -52,6 +53,8 @@ void look_at_light(uint light, uint round, bool one_surface, Surface s, Surface 
             bool some = seen.any != uvec2(0u);
             bool part = again ? some && (bright ? seen.all : seen.any) != uvec2(0xffffffffu)
                               : compare(light, joined, seen, sub.found);
+            if (some && uneven)
+                sub.found.differ += TOO_MUCH;
             keep_light(light, part, form, bright || !(again || joined) ? weights : seen.together, s,
                        sub);
         } else {

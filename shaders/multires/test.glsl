@@ -20,6 +20,7 @@
 #include "outcome.glsl"
 #include "lobe.glsl"
 #include "queue.glsl"
+#include "spot.glsl"
 
 layout(local_size_x = 64) in; // 16 fragments of four sub-fragments
 
