@@ -45,7 +45,7 @@ gpu_status lights_create(render_frame *frame, const geometry *geometry, double *
 
 /* lights.c: light_closest of shaders/common/lights.glsl, for the `constant` of shaders: 2 mm, which
  * the shaders have and 0 stands for, or as much of the scene's longest side in metres where that is
- * below 1 m. */
+ * below 1 m. A frame without a scene, as tests of one pass have it, has the shaders' own. */
 float render_closest(const render_frame *frame);
 
 /* profile.c: runs a draw into one RGBA32F target, its push constant an int32_t, 0 to layers - 1,

@@ -177,7 +177,7 @@ float render_closest(const render_frame *frame)
 {
     const render_scene *scene = frame->scene;
     double side = 0;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; scene && i < 3; i++)
         side = fmax(side, scene->high[i] - scene->low[i]);
     return side > 0 && side < 1 ? (float)(0.002 * side) : 0;
 }
