@@ -67,7 +67,6 @@ typedef struct scenes_view {
     int runs;
     double enough_ms; /* the second run that took as long, of the truth the first, is the last; 0:
                          none is */
-    bool compiled;    /* when warm nothing is left for a driver to compile: the first run as well */
     scenes_warmth *warm; /* those in it need no run before the first that counts; NULL: all do */
     scenes_truth *known; /* of this view: used, or filled where it is empty; NULL: rendered */
     const scenes_variant *variants; /* after the pipelines */

@@ -174,7 +174,7 @@ static bool has_run_enough(const scenes_view *view, const job *j, bool truth)
 {
     return (int)j->runs >= view->runs || j->runs == MOST_RUNS ||
            (view->enough_ms > 0.0 && j->ms[j->runs - 1] >= view->enough_ms &&
-            (truth || view->compiled || j->runs > 1));
+            (truth || j->runs > 1));
 }
 
 /* The first round keeps the truth; each pipeline is looked at after its last run, while the frame

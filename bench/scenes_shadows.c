@@ -165,8 +165,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, bool first, cha
                             .truth = "shadows",
                             .warm = plan->warm,
                             .runs = plan->quick ? 1 : 3,
-                            .enough_ms = 3000.0,
-                            .compiled = true};
+                            .enough_ms = 3000.0};
         m->pictures = s == 0 ? pictures : NULL;
         good = scenes_measure(&view, s > 0 ? bars : first ? every : rivals, look, m, &m->table);
         base_progress_step(progress, scene.name);
