@@ -168,8 +168,9 @@ static void remember_truth(const scenes_view *view, const job *truth, const floa
     view->known->light = memcpy(base_allocate(bytes + 1), light, bytes);
 }
 
-/* After the last of the runs, or after one that took long enough to be sure of: not the first of a
- * pipeline whose shaders are made of text, which are compiled for each frame. */
+/* After the last of the runs, or after one that took long enough to be sure of: not the first, in
+ * which a driver may have compiled: shaders made of text for each frame, others for another size.
+ */
 static bool has_run_enough(const scenes_view *view, const job *j, bool truth)
 {
     return (int)j->runs >= view->runs || j->runs == MOST_RUNS ||

@@ -41,28 +41,34 @@ void hull_destroy(void *state)
     free(h);
 }
 
+/* list: ends with HULL_PASSES. */
+static gpu_status create_list(render_frame *frame, hull *h, const hull_pass *list)
+{
+    gpu_status status = GPU_OK;
+    for (; status == GPU_OK && *list != HULL_PASSES; list++)
+        status = hull_create_pass(frame, h, *list);
+    return status;
+}
+
 static gpu_status create_passes(render_frame *frame, hull *h)
 {
     static const hull_pass shared[] = {HULL_TREE_IMAGE, HULL_MEAN_SAMPLES, HULL_MEAN_SUM,
                                        HULL_NEXT,       HULL_CULL_TILE,    HULL_CULL,
-                                       HULL_NEAR,       HULL_EXACT};
+                                       HULL_NEAR,       HULL_EXACT,        HULL_PASSES};
     static const hull_pass moments[] = {HULL_LINKS,       HULL_COMPONENTS, HULL_CLAIM, HULL_GATHER,
                                         HULL_GATHER_EVEN, HULL_SPLIT,      HULL_PART,  HULL_SHARE,
-                                        HULL_BLEND,       HULL_EMIT};
-    static const hull_pass lobes[] = {HULL_LINKS,        HULL_COMPONENTS,  HULL_CLAIM,
-                                      HULL_GATHER_LOBES, HULL_SPLIT_LOBES, HULL_PART,
-                                      HULL_SHARE,        HULL_BLEND_LOBES, HULL_EMIT};
+                                        HULL_BLEND,       HULL_EMIT,       HULL_PASSES};
+    static const hull_pass lobes[] = {
+        HULL_LINKS, HULL_COMPONENTS, HULL_CLAIM,       HULL_GATHER_LOBES, HULL_SPLIT_LOBES,
+        HULL_PART,  HULL_SHARE,      HULL_BLEND_LOBES, HULL_EMIT,         HULL_PASSES};
     const hull_pass upsample[] = {HULL_BOUNDS, h->push.tau > 0 ? HULL_GATHER_FAR : HULL_GATHER_ALL,
-                                  HULL_UPSAMPLE_FAR};
-    const hull_pass *own = h->kind == HULL_UPSAMPLE ? upsample
-                           : h->kind == HULL_LOBES  ? lobes
-                                                    : moments;
-    int own_count = h->kind == HULL_UPSAMPLE ? 3 : h->kind == HULL_LOBES ? 9 : 10;
-    gpu_status status = GPU_OK;
-    for (int i = 0; status == GPU_OK && i < 8; i++)
-        status = hull_create_pass(frame, h, shared[i]);
-    for (int i = 0; status == GPU_OK && i < own_count; i++)
-        status = hull_create_pass(frame, h, own[i]);
+                                  HULL_UPSAMPLE_FAR, HULL_PASSES};
+    gpu_status status = create_list(frame, h, shared);
+    if (status == GPU_OK)
+        status = create_list(frame, h,
+                             h->kind == HULL_UPSAMPLE ? upsample
+                             : h->kind == HULL_LOBES  ? lobes
+                                                      : moments);
     if (status == GPU_OK && h->kind != HULL_UPSAMPLE)
         status = hull_create_draw(frame, h);
     return status;
