@@ -103,7 +103,7 @@ int bench_command(int argc, char **argv)
         return scenes_command(&(scenes_request){scenes, view, parts, device, out, quick});
     if (!is_usage(out, counts, scenes, view, parts, only))
         return BASE_USAGE;
-    if (out && !base_make_directory(out))
+    if ((out && !base_can_fill(out)) || (counts && !base_can_write(counts)))
         return BASE_FAILED;
     cost_table table;
     if (!cost_measure(&table, &(cost_options){device, only, quick, out == NULL}))

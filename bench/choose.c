@@ -181,7 +181,9 @@ static int run(const request *r)
     size_t count = 0;
     bool rmse = strcmp(r->metric, "rmse") == 0;
     status = BASE_FAILED;
-    if (choose_costs(unit, r->device, costs) && measure_all(&domain, costs, rmse, list, &count)) {
+    bool writable = !r->emit || base_can_write(r->emit);
+    if (writable && choose_costs(unit, r->device, costs) &&
+        measure_all(&domain, costs, rmse, list, &count)) {
         choice found = choose(list, count, r->most);
         if (!count)
             base_error("choose: no method has a cost in %s here", choose_unit_name(unit));

@@ -137,7 +137,9 @@ int profile_fit(const fit_profile_request *request)
     if (!choose_profile(&w.domain, request->profile))
         return BASE_USAGE;
     int status = BASE_FAILED;
-    if (profile_counter_open(&w.counter))
+    bool writable = (!request->out || base_can_write(request->out)) &&
+                    (!request->emit || base_can_write(request->emit));
+    if (writable && profile_counter_open(&w.counter))
         status = search(&w);
     profile_counter_close(&w.counter);
     free(w.tiers.list);

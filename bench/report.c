@@ -3,7 +3,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/file.h"
 #include "base/options.h"
@@ -109,7 +108,7 @@ int report_command(int argc, char **argv)
     if (root)
         base_set_source_root(root);
     /* Work is not begun for a folder that cannot be written, or without the means to draw. */
-    if (!gnuplot_there())
+    if (!gnuplot_there() || (out && !base_can_fill(out)) || (readme && !base_can_write(readme)))
         return BASE_FAILED;
     if (readme && !report_readme(readme, scenes))
         return BASE_FAILED;
@@ -117,9 +116,5 @@ int report_command(int argc, char **argv)
         return BASE_DONE;
     if (!base_make_directory(out))
         return BASE_FAILED;
-    if (access(out, W_OK) != 0) {
-        base_error("report: %s: cannot be written, expected a folder of yours", out);
-        return BASE_FAILED;
-    }
     return write_report(out, bench, stability, scenes) ? BASE_DONE : BASE_FAILED;
 }

@@ -180,6 +180,8 @@ int scenes_command(const scenes_request *request)
     bool wanted[PARTS];
     if (!choose_parts(request->parts, wanted) || (plan.folder && !folder_is_there(plan.folder)))
         return BASE_USAGE;
+    if (!base_can_fill(plan.out))
+        return BASE_FAILED;
     if (gpu_device_open(&(gpu_device_options){.device = request->device}, &plan.device) != GPU_OK) {
         base_error("bench: %s", gpu_last_error());
         return BASE_FAILED;

@@ -132,7 +132,7 @@ static bool make_folders(const char *out)
     if (!out)
         return true;
     char *maps = base_join(out, "maps");
-    bool good = base_make_directory(maps);
+    bool good = base_can_fill(maps) && base_make_directory(maps);
     free(maps);
     return good;
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/file.h"
 #include "base/text.h"
@@ -65,7 +66,9 @@ bool constants_set_read(constants_set *set, const char *out_folder)
     *set = (constants_set){0};
     char *source = base_join(base_source_root(), "tables/constants");
     bool same = source && strcmp(source, out_folder) == 0;
-    bool good = source && add_folder(set, source) && (same || add_folder(set, out_folder));
+    bool good = source && add_folder(set, source);
+    if (good && !same && access(out_folder, F_OK) == 0)
+        good = add_folder(set, out_folder);
     free(source);
     if (!good)
         constants_set_free(set);

@@ -158,7 +158,7 @@ static bool write_all(fit_run *run, const char *folder)
     base_progress *progress = base_progress_begin("measuring", run->constants.count);
     bool good = constants_measure(&run->constants, progress);
     base_progress_end(progress);
-    return good && constants_set_write(&run->constants, folder);
+    return good && base_make_directory(folder) && constants_set_write(&run->constants, folder);
 }
 
 static void list_recipes(const fit_run *run)
@@ -195,7 +195,7 @@ static int fit_recipes(int count, char **names, const char *out, bool list, bool
         if (list) {
             list_recipes(&run);
             status = BASE_DONE;
-        } else if (!base_make_directory(folder)) {
+        } else if (!check && !base_can_fill(folder)) {
             status = BASE_FAILED; /* a write, not a wrong use */
         } else if (constants_set_read(&run.constants, folder) && check_published(&run)) {
             status = work(&run, folder, check);

@@ -141,6 +141,10 @@ static void scale_scene(render_scene *scene, double by)
     scale_points(&scene->high, 1, by);
     scale_points(&scene->camera.eye, 1, by);
     scale_points(&scene->camera.target, 1, by);
+    scale_points(&scene->spot.position, 1, by);
+    scale_points(&scene->spot.target, 1, by);
+    for (int i = 0; i < 3; i++)
+        scene->spot.intensity[i] *= by * by;
     scene->camera.near *= by;
     scene->camera.far *= by;
     for (size_t l = 0; l < scene->area_light_count; l++)
@@ -174,12 +178,33 @@ static void a_small_room_is_as_bright(void **state)
     fixture_close(&f);
 }
 
+/* So is one of 2 micrometres by its spotlight, whose map begins nearer than those are long. */
+static void a_spotlight_in_a_small_room_is_as_bright(void **state)
+{
+    (void)state;
+    fixture f;
+    double sums[2];
+    fixture_open(&f, "box", 24, 16);
+    for (int small = 0; small < 2; small++) {
+        render_statistics statistics;
+        fixture_close_frame(&f);
+        scale_scene(&f.scene, small ? 0x1p-20 : 1);
+        fixture_frame(&f, 24, 16);
+        sums[small] = sum_light(&f, &exact_pipeline, &statistics);
+    }
+    assert_true(sums[0] > 0);
+    if (!(fabs(sums[1] - sums[0]) < 0.01 * sums[0]))
+        fail_msg("%g, large %g", sums[1], sums[0]);
+    fixture_close(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lights_that_reach_nothing_are_dark),
         cmocka_unit_test(lights_in_parts_are_the_same),
         cmocka_unit_test(a_small_room_is_as_bright),
+        cmocka_unit_test(a_spotlight_in_a_small_room_is_as_bright),
         cmocka_unit_test(hundreds_of_lights_are_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

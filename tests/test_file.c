@@ -97,6 +97,44 @@ static void what_cannot_be_written_or_read_is_named(void **state)
     free(path);
 }
 
+/* Whether outputs can be written is told without writing any. */
+static void outputs_are_tried_without_a_trace(void **state)
+{
+    (void)state;
+    char *file = workspace_file(&work, "tried", "kept"), *below = base_join(file, "below"),
+         *coming = base_join(work.folder, "coming/soon/"), *link = base_join(work.folder, "loose");
+    assert_int_equal(symlink("nowhere/at/all", link), 0);
+    assert_true(base_can_write(file) && base_can_write("/dev/null"));
+    assert_true(base_can_fill(work.folder) && base_can_fill(coming) && base_can_fill("."));
+    static const char *const words[] = {"directory", "No such file", "Not a directory"};
+    const char *const files[] = {work.folder, "/no/such/folder/x", below};
+    const char *const folders[] = {"", file, below, link};
+    capture c;
+    for (size_t i = 0; i < 3; i++) {
+        capture_begin(&c);
+        bool good = base_can_write(files[i]);
+        assert_one_line(capture_end(&c), files[i], words[i]);
+        assert_false(good);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        capture_begin(&c);
+        bool good = base_can_fill(folders[i]);
+        assert_one_line(capture_end(&c), folders[i], i ? "Not a directory" : "No such file");
+        assert_false(good);
+    }
+    char *text = base_read_file(file, NULL);
+    assert_string_equal(text, "kept");
+    assert_only_file("tried");
+    assert_int_equal(unlink(link), 0);
+    coming[strlen(coming) - strlen("/soon/")] = '\0';
+    assert_int_equal(access(coming, F_OK), -1);
+    free(text);
+    free(link);
+    free(coming);
+    free(below);
+    free(file);
+}
+
 static void folders_are_made_and_listed_in_order(void **state)
 {
     (void)state;
@@ -149,6 +187,7 @@ int main(void)
         cmocka_unit_test(a_discarded_output_leaves_what_was_there),
         cmocka_unit_test(a_link_and_a_device_stay_what_they_are),
         cmocka_unit_test(what_cannot_be_written_or_read_is_named),
+        cmocka_unit_test(outputs_are_tried_without_a_trace),
         cmocka_unit_test(folders_are_made_and_listed_in_order),
         cmocka_unit_test(names_of_one_file_are_known),
     };

@@ -70,13 +70,29 @@ static void text_that_is_no_utf_8_is_marked(void **state)
     free(text);
 }
 
-static void bad_json_names_file_and_line(void **state)
+static void bad_json_names_the_place(void **state)
 {
     (void)state;
     static const struct {
         const char *text, *word;
     } bad[] = {{"", "line 1"},
-               {"{\n\"a\": 1,\n}", "line 3"},
+               {"{\n\"a\": 1,\n}",
+                "line 3, column 1: expected another key in double quotes after the "
+                "comma, found \"}\""},
+               {"{\"a\": [1, 2,]}", "line 1, column 13: expected another value after the comma"},
+               {"{\"\xc3\xa9\": 1 2}", "line 1, column 9: expected a comma or }"},
+               {"{\"a\": [1\n 2]}", "line 2, column 2: expected a comma or ]"},
+               {"{\"a\"\n1}", "line 2, column 1: expected a colon"},
+               {"{a: 1}", "column 2: expected a key in double quotes"},
+               {"{'a': 1}", "column 2: expected a key in double quotes"},
+               {"[1, // one\n2]", "column 5: expected a value"},
+               {"{\"a\": True}", "column 7: expected a value"},
+               {"{\"a\": }", "column 7: expected a value"},
+               {"[\"\\x\"]", "column 3: expected a character after \\"},
+               {"[\"\\ud800\"]", "column 3: expected a character after \\"},
+               {"[\"\\u0000\"]", "column 3: expected a character after \\"},
+               {"[\"abc", "column 6: expected a closing quote, found the end of the file"},
+               {"[1]\n]", "line 2, column 1: expected nothing after the value"},
                {"{\n\"a\": 01}", "line 2"},
                {"{\"a\": 1.}", "number"},
                {"{\"a\": +1}", "number"},
@@ -94,6 +110,31 @@ static void bad_json_names_file_and_line(void **state)
         assert_null(root);
         free(path);
     }
+}
+
+static void good_json_is_read(void **state)
+{
+    (void)state;
+    static const char *const good[] = {"\xef\xbb\xbf{}",
+                                       " [ ] ",
+                                       "{ \"a\" : [ { } , [ ] , null ] , \"b\" : -0.5e-3 }\r\n",
+                                       "\"\\ud83d\\ude42 \\u00e9 \\/ \\\" \\\\\"",
+                                       "true",
+                                       "[1E5,0,-0,0.0]"};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        char *path = workspace_file(&work, "good.json", good[i]);
+        cJSON *root = base_json_read(path);
+        assert_non_null(root);
+        cJSON_Delete(root);
+        free(path);
+    }
+    enum { DEEP = 100000 };
+    char *deep = malloc(DEEP + 1);
+    memset(deep, '[', DEEP);
+    deep[DEEP] = '\0';
+    const char *expected;
+    assert_ptr_equal(base_json_fault(deep, &expected), deep + 1000);
+    free(deep);
 }
 
 static void json_fields_are_checked(void **state)
@@ -133,7 +174,8 @@ int main(void)
         cmocka_unit_test(json_numbers_survive_a_round_trip),
         cmocka_unit_test(json_layout),
         cmocka_unit_test(text_that_is_no_utf_8_is_marked),
-        cmocka_unit_test(bad_json_names_file_and_line),
+        cmocka_unit_test(bad_json_names_the_place),
+        cmocka_unit_test(good_json_is_read),
         cmocka_unit_test(json_fields_are_checked),
     };
     return cmocka_run_group_tests(tests, open_work, close_work);

@@ -92,24 +92,35 @@ static void test_refused_scenes(void **state)
 static void test_unwritable(void **state)
 {
     (void)state;
-    static const char *const options[] = {"--out", "--png", "--stats"};
+    static const char *const options[] = {"--out", "--png", "--stats", "--profile"};
     assert_int_equal(shell("mkdir '%s/out'", work.folder), 0);
-    for (size_t i = 0; i < 3; i++) {
-        run result = RUN(NULL, "render", "--pipeline", "exact", "--size", "5x3", options[i],
-                         at("out/no/such.file"));
-        skip_without_device(&result);
+    /* told before the device is looked for, even before the scene is read */
+    for (size_t i = 0; i < 4; i++) {
+        run result = RUN(NULL, "render", "--pipeline", "meder", "--scene", at("absent.json"),
+                         options[i], at("out/no/such.file"));
         assert_refused(result, 1, "out/no/such.file");
-        result = RUN(NULL, "render", "--pipeline", "exact", "--size", "5x3", options[i], at("out"));
+        result = RUN(NULL, "render", "--pipeline", "meder", "--device", "no such", options[i],
+                     at("out"));
         assert_refused(result, 1, "directory");
     }
     workspace_write(&work, "file", "");
-    run result =
-        RUN(NULL, "render", "--pipeline", "exact", "--size", "5x3", "--dump", at("file/dump"));
+    run result = RUN(NULL, "render", "--device", "no such", "--dump", at("file/dump"));
     assert_refused(result, 1, "file/dump");
+    assert_refused(RUN(NULL, "render", "--dump", at("one"), "--png", at("one")), 2, "--dump");
+    assert_refused(RUN(NULL, "bench", "--counts", at("out/no/such.file")), 1, "out/no/such.file");
+    assert_refused(RUN(NULL, "bench", "--out", at("file/bench")), 1, "file/bench");
+    assert_refused(RUN(NULL, "bench", "--scenes", "built-in", "--out", at("file/bench")), 1,
+                   "file/bench");
+    assert_refused(RUN(NULL, "choose", "--max-error", "1e-3", "--emit", at("out/no/such.file")), 1,
+                   "out/no/such.file");
     assert_int_equal(shell("test -z \"$(ls -A '%s/out')\"", work.folder), 0);
     assert_int_equal(shell("test -z \"$(ls '%s' | grep '[.]part$')\"", work.folder), 0);
+    /* a folder that the dump makes takes other files too */
+    succeed(RUN(NULL, "render", "--pipeline", "exact", "--size", "5x3", "--dump", at("new/er"),
+                "--png", at("new/er/image.png"), "--stats", at("new/er/image.json")));
     result = RUN(&(run_options){.out_path = "/dev/full"}, "render", "--pipeline", "exact", "--size",
                  "5x3");
+    skip_without_device(&result);
     assert_int_equal(result.status, 1);
     run_free(&result);
 }

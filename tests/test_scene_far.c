@@ -11,6 +11,7 @@
 
 #include "base/exr.h"
 #include "base/file.h"
+#include "capture.h"
 #include "program.h"
 #include "render/scene.h"
 #include "work.h"
@@ -137,6 +138,34 @@ static void test_extents(void **state)
     render_scene_free(&empty);
 }
 
+/* What floats cannot compute with is refused, told with the length that is too much. */
+static void test_beyond(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {{"1e20", "found 1e+20"},
+                                           {"-3e15", "found 3e+15"},
+                                           {"1e10", "found 7.07e+09"},
+                                           {"1e-7", "found 7.07e-08"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "v %s 0 0\nv 0 %s 0\nv 0 0 0\nf 1 2 3\n", cases[i][0],
+                 cases[i][0]);
+        workspace_write(&work, "beyond.obj", text);
+        workspace_write(&work, "scene.json", "{\"meshes\": [{\"file\": \"beyond.obj\"}]}");
+        render_scene scene;
+        capture c;
+        capture_begin(&c);
+        bool good = render_scene_read(workspace_path(&work, "scene.json"), NULL, &scene);
+        assert_one_line(capture_end(&c), "scene.json", "\"meshes\"", cases[i][1]);
+        assert_false(good);
+    }
+    workspace_write(&work, "scene.json",
+                    "{\"meshes\": [{\"file\": \"beyond.obj\", \"scale\": 1e7}]}");
+    render_scene scene;
+    assert_true(render_scene_read(workspace_path(&work, "scene.json"), NULL, &scene));
+    render_scene_free(&scene);
+}
+
 /* Whether an EXR file has a text attribute of that name. */
 static bool has_origin(const char *bytes, size_t size)
 {
@@ -193,8 +222,8 @@ static void test_pictures(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_moved), cmocka_unit_test(test_near),
-                                       cmocka_unit_test(test_extents),
-                                       cmocka_unit_test(test_pictures)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_moved), cmocka_unit_test(test_near), cmocka_unit_test(test_extents),
+        cmocka_unit_test(test_beyond), cmocka_unit_test(test_pictures)};
     return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -124,6 +124,23 @@ bool base_write_file(const char *path, const void *bytes, size_t size)
     return base_output_close(&output);
 }
 
+bool base_can_write(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
+        /* Whoever reads from a pipe would take opening it for the output. */
+        if (access(path, W_OK) == 0)
+            return true;
+        base_error("cannot write %s: %s", path, strerror(errno));
+        return false;
+    }
+    base_output trial;
+    if (!base_output_open(&trial, path))
+        return false;
+    base_output_discard(&trial);
+    return true;
+}
+
 char *base_read_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");

@@ -19,6 +19,11 @@ bool base_output_close(base_output *output);   /* flush, sync, check, rename; re
 void base_output_discard(base_output *output); /* leaves what was there before untouched */
 bool base_write_file(const char *path, const void *bytes, size_t size); /* the three in one */
 
+/* Whether base_output_open would take the path, and whether base_make_directory and then files in
+ * it would: asked before long work, leaving nothing. False after one line. */
+bool base_can_write(const char *path);
+bool base_can_fill(const char *folder);
+
 /* Reads a whole file, adds a NUL; free() it. NULL after one line on standard error. */
 char *base_read_file(const char *path, size_t *size);
 

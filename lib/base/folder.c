@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static const char *source_root = SGFIT_SOURCE_ROOT;
 
@@ -84,6 +85,46 @@ bool base_make_directory(const char *path)
     free(partial);
     if (reason)
         base_error("cannot create directory %s: %s", path, strerror(reason));
+    return reason == 0;
+}
+
+/* Cuts the last name off a path: "a/b" becomes "a/", "a" "."; false where there is none above. */
+static bool cut_name(char *path)
+{
+    size_t length = strlen(path);
+    if (strcmp(path, ".") == 0 || strcmp(path, "/") == 0)
+        return false;
+    while (length > 1 && path[length - 1] == '/')
+        length--;
+    while (length > 0 && path[length - 1] != '/')
+        length--;
+    if (length == 0)
+        path[length++] = '.';
+    path[length] = '\0';
+    return true;
+}
+
+bool base_can_fill(const char *folder)
+{
+    size_t size = strlen(folder) + 2;
+    char *there = malloc(size);
+    if (!there)
+        return false;
+    snprintf(there, size, "%s", folder);
+    struct stat status;
+    int reason = *folder ? 0 : ENOENT;
+    /* What is not there yet is made in the first folder above it that is. */
+    while (!reason && stat(there, &status) != 0) {
+        bool dangling = lstat(there, &status) == 0;
+        reason = dangling ? ENOTDIR : errno == ENOENT && cut_name(there) ? 0 : errno;
+    }
+    if (!reason && !S_ISDIR(status.st_mode))
+        reason = ENOTDIR;
+    if (!reason && access(there, W_OK | X_OK) != 0)
+        reason = errno;
+    free(there);
+    if (reason)
+        base_error("cannot write into %s: %s", folder, strerror(reason));
     return reason == 0;
 }
 

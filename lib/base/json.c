@@ -7,68 +7,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-static long line_of(const char *text, const char *place)
+/* One line: where in the text, counted in lines and characters from 1, what was expected and what
+ * stands there. size: of the text, which may have a NUL byte. */
+static void refuse_text(const char *path, const char *text, size_t size, const char *place,
+                        const char *expected)
 {
-    long line = 1;
-    for (const char *p = text; p < place; p++)
-        line += *p == '\n';
-    return line;
-}
-
-/* Length of the JSON number at text, 0 where it is none: cJSON takes 01, 1. and 1e too. */
-static size_t number_length(const char *text)
-{
-    const char *p = text + (*text == '-');
-    size_t digits = strspn(p, "0123456789");
-    if (digits == 0 || (digits > 1 && *p == '0'))
-        return 0;
-    p += digits;
-    if (*p == '.') {
-        digits = strspn(++p, "0123456789");
-        if (digits == 0)
-            return 0;
-        p += digits;
+    enum { MOST = 20 };
+    long line = 1, column = 1;
+    for (const char *p = text; p < place; p++) {
+        bool ends = *p == '\n', starts = ((unsigned char)*p & 0xc0) != 0x80;
+        line += ends;
+        column = ends ? 1 : column + starts;
     }
-    if (*p == 'e' || *p == 'E') {
-        p++;
-        p += *p == '-' || *p == '+';
-        digits = strspn(p, "0123456789");
-        if (digits == 0)
-            return 0;
-        p += digits;
-    }
-    return (size_t)(p - text);
-}
-
-/* First place that cJSON would let through although it is no JSON; NULL where there is none. */
-static const char *find_lenient(const char *text, const char **expected)
-{
-    for (const char *p = text; *p;) {
-        if (*p == '"') {
-            for (p++; *p && *p != '"'; p++) {
-                *expected = "no control character in a string";
-                if ((unsigned char)*p < 0x20)
-                    return p;
-                if (*p == '\\' && p[1])
-                    p++;
-            }
-            p += *p == '"';
-        } else if (*p == '-' || *p == '+' || *p == '.' || (*p >= '0' && *p <= '9')) {
-            size_t length = number_length(p);
-            double value;
-            *expected = "a number as JSON writes it, within the range of double";
-            if (length == 0 || strchr("+-.eE0123456789", p[length] ? p[length] : ' ') ||
-                !base_parse_f64(p, length, &value) || isinf(value))
-                return p;
-            p += length;
-        } else if ((unsigned char)*p < 0x20 && !strchr("\t\n\r", *p)) {
-            *expected = "no control character";
-            return p;
-        } else {
-            p++;
-        }
-    }
-    return NULL;
+    int length = (int)strcspn(place, "\r\n");
+    length = length < MOST ? length : MOST;
+    while (length > 0 && ((unsigned char)place[length] & 0xc0) == 0x80)
+        length--; /* no character is cut */
+    if (length > 0)
+        base_error("%s, line %ld, column %ld: expected %s, found \"%.*s\"", path, line, column,
+                   expected, length, place);
+    else
+        base_error("%s, line %ld, column %ld: expected %s, found %s", path, line, column, expected,
+                   *place                          ? "the end of the line"
+                   : (size_t)(place - text) < size ? "a NUL byte"
+                                                   : "the end of the file");
 }
 
 cJSON *base_json_read(const char *path)
@@ -77,18 +39,16 @@ cJSON *base_json_read(const char *path)
     char *text = base_read_file(path, &size);
     if (!text)
         return NULL;
-    const char *end = text, *place, *expected;
+    const char *expected, *place = base_json_fault(text, &expected);
     cJSON *root = NULL;
-    if (strlen(text) != size) {
-        base_error("%s, line %ld: expected JSON text, found a NUL byte", path,
-                   line_of(text, text + strlen(text)));
-    } else if ((place = find_lenient(text, &expected)) != NULL) {
-        base_error("%s, line %ld: expected %s, found \"%.20s\"", path, line_of(text, place),
-                   expected, place);
-    } else if (!(root = cJSON_ParseWithOpts(text, &end, true))) {
-        base_error("%s, line %ld: expected JSON, found %s%.20s%s", path, line_of(text, end),
-                   *end ? "\"" : "the end of the file", end, *end ? "\"" : "");
+    if (!place && strlen(text) != size) {
+        place = text + strlen(text);
+        expected = "nothing after the value";
     }
+    if (place)
+        refuse_text(path, text, size, place, expected);
+    else if (!(root = cJSON_ParseWithOpts(text, NULL, true)))
+        base_error("%s: out of memory", path);
     free(text);
     return root;
 }

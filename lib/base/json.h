@@ -7,8 +7,12 @@
 
 #include <cjson/cJSON.h>
 
-/* Parses a file; NULL after one line that names the file and line of the error. */
+/* Parses a file; NULL after one line that names the file, line and column of the error. */
 cJSON *base_json_read(const char *path);
+
+/* The first place of the text that is no JSON, and what was expected there; NULL: all of it is, no
+ * string has a \u0000 and a double holds every number. */
+const char *base_json_fault(const char *text, const char **expected);
 
 /* True if every key of the object is among the NULL-ended names; else one line that names the
  * file (path), the key and what is allowed. Duplicate keys are refused too. */

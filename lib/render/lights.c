@@ -191,7 +191,8 @@ static double reach(const render_scene *scene)
         double high = fabs(scene->high[i] - scene->spot.position[i]);
         square += low > high ? low * low : high * high;
     }
-    return 1.01 * sqrt(square) + 1e-3;
+    double far = sqrt(square);
+    return 1.01 * far + (far > 0 ? fmin(1e-3 * far, 1e-3) : 1e-3);
 }
 
 static gpu_status draw_map(render_frame *frame, const geometry *geometry, light_data *lights,

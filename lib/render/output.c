@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/buffer.h"
 #include "base/exr.h"
@@ -12,17 +13,37 @@
 #include "base/text.h"
 #include "internal.h"
 
-bool output_are_apart(const char *const files[4])
+bool output_are_apart(const char *const paths[OUTPUT_PATHS])
 {
-    static const char *const names[] = {"out", "png", "stats", "profile"};
-    for (int i = 0; i < 4; i++)
+    static const char *const names[OUTPUT_PATHS] = {"out", "png", "stats", "profile", "dump"};
+    for (int i = 0; i < OUTPUT_PATHS; i++)
         for (int j = 0; j < i; j++)
-            if (files[i] && files[j] && base_same_file(files[j], files[i])) {
-                base_error("--%s: expected a file of its own, found that of --%s: %s", names[i],
-                           names[j], files[i]);
+            if (paths[i] && paths[j] && base_same_file(paths[j], paths[i])) {
+                base_error("--%s: expected a %s of its own, found that of --%s: %s", names[i],
+                           i == OUTPUT_DUMP ? "folder" : "file", names[j], paths[i]);
                 return false;
             }
     return true;
+}
+
+/* Whether the file stands directly in the folder, by name: the folder may not be there yet. */
+static bool is_in(const char *folder, const char *file)
+{
+    const char *slash = strrchr(file, '/');
+    size_t length = strlen(folder);
+    while (length > 1 && folder[length - 1] == '/')
+        length--;
+    return slash && (size_t)(slash - file) == length && strncmp(file, folder, length) == 0;
+}
+
+bool output_can_be_written(const char *const paths[OUTPUT_PATHS])
+{
+    const char *dump = paths[OUTPUT_DUMP];
+    struct stat status;
+    bool good = !dump || base_can_fill(dump), made = dump && stat(dump, &status) != 0;
+    for (int i = 0; good && i < OUTPUT_DUMP; i++)
+        good = !paths[i] || (made && is_in(dump, paths[i])) || base_can_write(paths[i]);
+    return good;
 }
 
 /* ---- Reading ------------------------------------------------------------------------- */
@@ -232,4 +253,14 @@ void output_comparison(cJSON *object, const render_comparison *comparison)
     base_json_add_f64(object, "p99", comparison->p99);
     base_json_add_f64(object, "p999", comparison->p999);
     base_json_add_f64(object, "bias", comparison->bias);
+}
+
+bool output_json(const char *path, const cJSON *json)
+{
+    char *text = base_json_print(json);
+    bool good = !path || base_write_file(path, text, strlen(text));
+    if (!path)
+        fputs(text, stdout);
+    free(text);
+    return good;
 }

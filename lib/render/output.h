@@ -19,9 +19,14 @@ typedef struct output_frame {
     double origin[3]; /* of the scene: positions count from there */
 } output_frame;
 
-/* Whether --out, --png, --stats and --profile, NULL where not given, are files of their own: one
- * would silently replace the other. False after one line. */
-bool output_are_apart(const char *const files[4]);
+/* Whether --out, --png, --stats, --profile and --dump, NULL where not given, are files of their
+ * own: one would silently replace the other. False after one line. */
+enum { OUTPUT_PATHS = 5, OUTPUT_DUMP = 4 };
+bool output_are_apart(const char *const paths[OUTPUT_PATHS]);
+
+/* Whether all of them can be written, asked before the work; files may go into the folder of the
+ * dump, which is made with the first picture. False after one line; nothing is left. */
+bool output_can_be_written(const char *const paths[OUTPUT_PATHS]);
 
 gpu_status output_read(render_frame *frame, bool layers, output_frame *out);
 gpu_status output_read_image(gpu_image *image, float **pixels); /* of GPU_RGBA32F */
@@ -48,6 +53,8 @@ void output_origin(cJSON *object, const render_scene *scene);
 
 /* Counts and times, as the keys that README lists. */
 void output_statistics(cJSON *object, const render_statistics *statistics);
+/* To a file, or NULL: to standard output. False after one line. */
+bool output_json(const char *path, const cJSON *json);
 void output_comparison(cJSON *object, const render_comparison *comparison);
 
 #endif

@@ -180,21 +180,11 @@ static void describe(const settings *s, const render_frame *frame, const render_
     output_origin(json, frame->scene);
 }
 
-static bool write_statistics(const settings *s, const cJSON *json)
-{
-    char *text = base_json_print(json);
-    bool good = !s->stats || base_write_file(s->stats, text, strlen(text));
-    if (!s->stats)
-        fputs(text, stdout);
-    free(text);
-    return good;
-}
-
 static bool write_all(const settings *s, const output_frame *out, double gain, const cJSON *json)
 {
     return (!s->out || output_exr(s->out, out)) &&
            (!s->png || output_png(s->png, out->width, out->height, out->radiance, gain)) &&
-           (!s->dump || output_dump(s->dump, out, gain)) && write_statistics(s, json);
+           (!s->dump || output_dump(s->dump, out, gain)) && output_json(s->stats, json);
 }
 
 /* A frame by the pipeline, and what only that can tell of it. */
@@ -267,9 +257,9 @@ int render_command(int argc, char **argv)
     render_options options = {
         .method = s.method, .detailed_normals = s.detailed, .runs = (int)s.runs};
     const render_pipeline *pipeline = choose_pipeline(s.pipeline);
-    const char *const files[] = {s.out, s.png, s.stats, s.profile};
+    const char *const paths[OUTPUT_PATHS] = {s.out, s.png, s.stats, s.profile, s.dump};
     if (!pipeline || !read_size(s.size, &options) || !read_indirect(&s, &options) ||
-        !output_are_apart(files))
+        !output_are_apart(paths))
         return BASE_USAGE;
     if (s.runs < 1 || s.runs > MOST_RUNS) {
         base_error("--runs: expected a number from 1 to %d, found %ld", MOST_RUNS, s.runs);
@@ -288,6 +278,8 @@ int render_command(int argc, char **argv)
         base_error("--layers: expected --out, into which the layers are written");
         return BASE_USAGE;
     }
+    if (!output_can_be_written(paths))
+        return BASE_FAILED;
     char *standard = s.scene ? NULL : render_scene_default();
     render_scene scene;
     bool read = render_scene_read(s.scene ? s.scene : standard, s.scene_dir, &scene);

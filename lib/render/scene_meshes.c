@@ -95,6 +95,29 @@ static void find_bounds(render_scene *scene)
     }
 }
 
+/* The description bounds what it holds itself; this is for the files' coordinates as placed. Beyond
+ * these radii the fourth powers of distances that the shaders meet leave the range of floats. */
+static bool is_within(const render_scene *scene, const char *path)
+{
+    static const double smallest = 1e-6, largest = 2e9;
+    double most = 0, centre[3], radius;
+    for (int i = 0; i < 3; i++)
+        most = fmax(most, fmax(fabs(scene->low[i] + scene->origin[i]),
+                               fabs(scene->high[i] + scene->origin[i])));
+    scene_sphere(scene, centre, &radius);
+    if (!(most <= longest))
+        base_error("%s: key \"meshes\": expected coordinates of at most %g m as placed in the "
+                   "scene, found %.3g",
+                   path, longest, most);
+    else if (!(radius >= smallest && radius <= largest))
+        base_error("%s: key \"meshes\": expected a scene that reaches %g to %g m from its middle "
+                   "(\"scale\" changes that), found %.3g",
+                   path, smallest, largest, radius);
+    else
+        return true;
+    return false;
+}
+
 /* From their places in the description to those from the origin on. */
 static bool add_all(scene_part *parts, size_t count, render_scene *scene)
 {
@@ -135,5 +158,5 @@ bool scene_read_meshes(const cJSON *list, const char *path, const char *scene_di
         mesh_free(&parts[i].from);
     free(parts);
     find_bounds(scene);
-    return good;
+    return good && is_within(scene, path);
 }
