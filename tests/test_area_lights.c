@@ -178,7 +178,7 @@ static void a_small_room_is_as_bright(void **state)
     fixture_close(&f);
 }
 
-/* So is one of 2 micrometres by its spotlight, whose map begins nearer than those are long. */
+/* So is one of a micrometre by its spotlight, whose map begins nearer than that. */
 static void a_spotlight_in_a_small_room_is_as_bright(void **state)
 {
     (void)state;
@@ -188,7 +188,7 @@ static void a_spotlight_in_a_small_room_is_as_bright(void **state)
     for (int small = 0; small < 2; small++) {
         render_statistics statistics;
         fixture_close_frame(&f);
-        scale_scene(&f.scene, small ? 0x1p-20 : 1);
+        scale_scene(&f.scene, small ? 0x1p-21 : 1);
         fixture_frame(&f, 24, 16);
         sums[small] = sum_light(&f, &exact_pipeline, &statistics);
     }
