@@ -99,6 +99,10 @@ int bench_command(int argc, char **argv)
         return status;
     if (root)
         base_set_source_root(root);
+    if (scenes && (counts || only)) {
+        base_error("bench: expected --scenes without %s", counts ? "--counts" : "--method");
+        return BASE_USAGE;
+    }
     if (scenes && out)
         return scenes_command(&(scenes_request){scenes, view, parts, device, out, quick});
     if (!is_usage(out, counts, scenes, view, parts, only))

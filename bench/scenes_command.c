@@ -101,8 +101,28 @@ static bool folder_is_there(const char *folder)
     return true;
 }
 
+/* Whether all scenes that the parts measure are there: one that is not would be told of hours
+ * later. */
+static bool scenes_are_there(const scenes_plan *plan)
+{
+    bool good = true;
+    for (int area = 0; area < 2 && good; area++) {
+        char **paths;
+        size_t count;
+        if (!(good = scenes_list(plan, area, &paths, &count)))
+            break;
+        for (size_t i = 0; i < count && good; i++)
+            good = render_scene_is_there(paths[i], plan->folder);
+        base_list_free(paths, count);
+    }
+    return good;
+}
+
 /* ---- Parts ------------------------------------------------------------------------------------
  */
+
+/* What looks at the built-in scenes alone. */
+static const char of_box[] = " growth flicker area_refinement area_flicker lobes choice ";
 
 static const struct {
     const char *name;
@@ -147,6 +167,18 @@ static bool choose_parts(const char *list, bool wanted[PARTS])
     return true;
 }
 
+/* Whether a part is wanted that takes the scenes of the folder. */
+static bool wants_scenes(const bool wanted[PARTS])
+{
+    bool wants = false;
+    for (size_t i = 0; i < PARTS; i++) {
+        char name[64];
+        snprintf(name, sizeof name, " %s ", parts[i].name);
+        wants = wants || (wanted[i] && !strstr(of_box, name));
+    }
+    return wants;
+}
+
 /* Each part writes its files when it ends: they stay where a later one fails. */
 static bool run_parts(const scenes_plan *plan, const bool wanted[PARTS])
 {
@@ -178,7 +210,8 @@ int scenes_command(const scenes_request *request)
                         .only = request->only,
                         .warm = &warm};
     bool wanted[PARTS];
-    if (!choose_parts(request->parts, wanted) || (plan.folder && !folder_is_there(plan.folder)))
+    if (!choose_parts(request->parts, wanted) || (plan.folder && !folder_is_there(plan.folder)) ||
+        (wants_scenes(wanted) && !scenes_are_there(&plan)))
         return BASE_USAGE;
     if (!base_can_fill(plan.out))
         return BASE_FAILED;

@@ -125,11 +125,30 @@ static void test_unwritable(void **state)
     run_free(&result);
 }
 
+/* Where memory is limited the program ends by itself, with a line, though the driver may crash. */
+static void test_little_memory(void **state)
+{
+    (void)state;
+#ifdef __SANITIZE_ADDRESS__
+    skip(); /* needs terabytes of addresses */
+#endif
+    static const int limits[] = {200000, 500000};
+    for (size_t i = 0; i < 2; i++) {
+        int end = shell("cd '%s'; ulimit -c 0; ulimit -v %d; \"$SGFIT\" render --size 33x17 "
+                        ">answer 2>error; test $? -le 1",
+                        work.folder, limits[i]);
+        assert_int_equal(end, 0);
+        assert_int_equal(
+            shell("cd '%s'; test -s answer || tail -n 1 error | grep -q '^sgfit: '", work.folder),
+            0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
 
         cmocka_unit_test(test_same_bytes), cmocka_unit_test(test_refused_scenes),
-        cmocka_unit_test(test_unwritable)};
+        cmocka_unit_test(test_unwritable), cmocka_unit_test(test_little_memory)};
     return cmocka_run_group_tests(tests, open_work, close_work);
 }

@@ -228,6 +228,19 @@ static void test_refusals(void **state)
                     2, "found \"nothing\"");
     program_refuses((const char *const[]){"bench", "--out", "x", "--part", "views", NULL}, 2,
                     "--part");
+    program_refuses((const char *const[]){"bench", "--scenes", "built-in", "--out", "x", "--view",
+                                          "nosuch", NULL},
+                    2, "nosuch");
+    program_refuses((const char *const[]){"bench", "--scenes", "built-in", "--out", "x", "--method",
+                                          "standard", NULL},
+                    2, "--method");
+    /* a scene that a later part needs is missed at once */
+    workspace at;
+    workspace_open(&at);
+    program_refuses((const char *const[]){"bench", "--scenes", at.folder, "--out", "x", "--device",
+                                          "no such", NULL},
+                    2, ".ply");
+    workspace_close(&at);
 }
 
 static void test_one_part(void **state)

@@ -134,6 +134,7 @@ gpu_status gpu_device_open(const gpu_device_options *options, gpu_device **out)
     gpu_device *device = calloc(1, sizeof *device);
     if (!device)
         return gpu_fail(GPU_OUT_OF_MEMORY, "opening Vulkan: out of host memory");
+    gpu_tell_of_crashes();
     /* Some drivers print a warning where this is missing. */
     setenv("XDG_RUNTIME_DIR", "/tmp", 0);
     /* Statistics come from compiling, not from somebody's cache. */

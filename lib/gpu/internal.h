@@ -91,6 +91,10 @@ gpu_status gpu_vk(VkResult result, const char *what);
 
 enum { GPU_MAX_DEVICES = 32 };
 
+/* crash.c: where memory is limited, a crash is told in one line and ends the program with status 1.
+ */
+void gpu_tell_of_crashes(void);
+
 /* instance.c */
 gpu_status gpu_create_instance(gpu_device *device, bool validation);
 void gpu_destroy_instance(gpu_device *device);

@@ -39,13 +39,27 @@ static bool read_description(const cJSON *root, const char *path, const char *sc
            scene_read_spot(cJSON_GetObjectItemCaseSensitive(root, "spot"), path, scene);
 }
 
+/* Where meshes are that are not beside the description; NULL: nowhere. */
+static const char *folder_of(const char *scene_dir)
+{
+    if (!scene_dir || !scene_dir[0])
+        scene_dir = getenv("SGFIT_SCENES");
+    return scene_dir && scene_dir[0] ? scene_dir : NULL;
+}
+
+bool render_scene_is_there(const char *path, const char *scene_dir)
+{
+    cJSON *root = base_json_read(path);
+    bool good = root && scene_has_meshes(cJSON_GetObjectItemCaseSensitive(root, "meshes"), path,
+                                         folder_of(scene_dir));
+    cJSON_Delete(root);
+    return good;
+}
+
 bool render_scene_read(const char *path, const char *scene_dir, render_scene *scene)
 {
     *scene = (render_scene){0};
-    if (!scene_dir || !scene_dir[0])
-        scene_dir = getenv("SGFIT_SCENES");
-    if (scene_dir && !scene_dir[0])
-        scene_dir = NULL;
+    scene_dir = folder_of(scene_dir);
     cJSON *root = base_json_read(path);
     bool good = root && read_description(root, path, scene_dir, scene);
     cJSON_Delete(root);

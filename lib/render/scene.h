@@ -59,6 +59,10 @@ typedef struct render_scene {
 bool render_scene_read(const char *path, const char *scene_dir, render_scene *scene);
 void render_scene_free(render_scene *scene);
 
+/* Whether every mesh that the description names is there, without reading any. False after one
+ * line. */
+bool render_scene_is_there(const char *path, const char *scene_dir);
+
 /* The description that is used where none is given: tests/scenes/box.json; malloc'ed. */
 char *render_scene_default(void);
 

@@ -42,6 +42,21 @@ static char *find_file(const char *name, const scene_where *where, const char *s
     return NULL;
 }
 
+bool scene_has_meshes(const cJSON *list, const char *path, const char *scene_dir)
+{
+    scene_where where = {.path = path};
+    size_t index = 0;
+    for (const cJSON *item = list ? list->child : NULL; item; item = item->next) {
+        const cJSON *file = cJSON_GetObjectItemCaseSensitive(item, "file");
+        snprintf(where.prefix, sizeof where.prefix, "meshes[%zu].", index++);
+        char *found = cJSON_IsString(file) ? find_file(file->valuestring, &where, scene_dir) : NULL;
+        if (cJSON_IsString(file) && !found)
+            return false;
+        free(found);
+    }
+    return true;
+}
+
 static bool read_transform(const cJSON *item, const scene_where *where, scene_transform *transform)
 {
     *transform = (scene_transform){.scale = {1, 1, 1}};

@@ -43,6 +43,9 @@ bool scene_has(const cJSON *object, const char *key);
 bool scene_read_meshes(const cJSON *list, const char *path, const char *scene_dir,
                        render_scene *scene);
 
+/* Whether the files of that list are there. False after one line. */
+bool scene_has_meshes(const cJSON *list, const char *path, const char *scene_dir);
+
 /* This goes before scene_read_meshes; corners are the description's. */
 bool scene_read_area_lights(const cJSON *list, const char *path, render_scene *scene);
 
