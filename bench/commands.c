@@ -6,10 +6,10 @@
 #include "stability.h"
 
 const base_command bench_commands[] = {
-    {"report", "write the error report: HTML to read, CSV behind every plot", report_command},
-    {"bench", "measure what every method costs: GPU instructions, CPU, Vulkan device",
+    {"report", "writes the error report: HTML to read, CSV behind every plot", report_command},
+    {"bench", "measures what every method costs: GPU instructions, CPU, Vulkan device",
      bench_command},
-    {"stability", "find where every method fails", stability_command},
-    {"choose", "name the cheapest method that is good enough", choose_command},
+    {"stability", "finds where every method fails", stability_command},
+    {"choose", "names the cheapest method that is good enough", choose_command},
     {NULL, NULL, NULL},
 };

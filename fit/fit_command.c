@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/file.h"
 #include "base/options.h"
@@ -36,6 +37,11 @@ static char *recipe_path(const char *name)
 
 static bool add_recipe(fit_run *run, char *path)
 {
+    if (path && access(path, F_OK) != 0) {
+        base_error("fit: no recipe %.200s (sgfit fit --list lists those of fit/recipes)", path);
+        free(path);
+        return false;
+    }
     bool good = path && recipe_read(&run->recipes[run->count], path);
     if (good)
         run->count++;
@@ -239,21 +245,21 @@ int fit_command(int argc, char **argv)
     const base_option options[] = {
         {"list", BASE_FLAG, &list, NULL, "lists the recipes and ends", NULL},
         {"out", BASE_STRING, &profile.out, "DIR",
-         "writes the constants there (default: tables/constants of the source tree);\n"
+         "writes the constants there (default: tables/constants of the source tree); "
          "with --profile a file, and nothing where it is not given",
          NULL},
         {"check", BASE_FLAG, &check, NULL,
-         "writes nothing; fails where a constant of the tree is further from\n"
+         "writes nothing; fails where a constant of the tree is further from "
          "the new one than its recipe allows",
          NULL},
         {"profile", BASE_STRING, &profile.profile, "FILE",
-         "instead of recipes: fits our forms, with no more terms than needed, to a CSV of\n"
+         "instead of recipes: fits our forms, with no more terms than needed, to a CSV of "
          "lambda, cos_theta and weight, and prints what each candidate costs there",
          NULL},
         {"budget", BASE_F64, &profile.budget, "N",
          "with --profile: the least error within N GPU instructions", &profile.budget_given},
         {"max-error", BASE_F64, &profile.max_error, "E",
-         "with --profile: the fewest instructions whose error stays under E (default,\n"
+         "with --profile: the fewest instructions whose error stays under E (default, "
          "without --budget: the error of the cheapest tier on that profile)",
          &profile.max_error_given},
         {"metric", BASE_CHOICE, &metric, "max|rmse", "with --profile: which error (default: rmse)",
@@ -264,7 +270,7 @@ int fit_command(int argc, char **argv)
     const base_usage usage = {
         "fit", "[options] [RECIPE ...]",
         "Runs recipes of fit/recipes (default: all; a name or a file), prints every constant "
-        "beside\n"
+        "beside "
         "the published one, and writes tables/constants. Nothing is written if one fails."};
     int positional = 0;
     int status = base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options,

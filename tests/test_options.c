@@ -68,6 +68,34 @@ static void wrong_options_are_one_line(void **state)
     }
 }
 
+static void help_is_wrapped_below_itself(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "A line that is longer than ninety-eight characters, which is where help is broken at a "
+        "blank, goes on.\n"
+        "  NAME  a line of a list that is longer than ninety-eight characters goes on below where "
+        "its text begins\n"
+        "and the next one at its own begin";
+    const base_usage usage = {"try", "", text};
+    const base_option option = {"flag", BASE_FLAG, &(bool){false}, NULL, "", NULL};
+    FILE *file = tmpfile();
+    char out[1024];
+    fflush(stdout);
+    int saved = dup(STDOUT_FILENO);
+    dup2(fileno(file), STDOUT_FILENO);
+    int status = base_parse_options(2, (char *[]){"try", "--help", NULL}, &usage, &option, 1, NULL);
+    fflush(stdout);
+    dup2(saved, STDOUT_FILENO);
+    close(saved);
+    rewind(file);
+    out[fread(out, 1, sizeof out - 1, file)] = '\0';
+    fclose(file);
+    assert_int_equal(status, BASE_DONE);
+    assert_non_null(strstr(out, "blank, goes\non.\n  NAME  a line"));
+    assert_non_null(strstr(out, "\n        begins\nand the next"));
+}
+
 static void count_up(void *context, size_t index)
 {
     ((int *)context)[index]++;
@@ -88,6 +116,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(options_are_taken_in_both_spellings),
         cmocka_unit_test(wrong_options_are_one_line),
+        cmocka_unit_test(help_is_wrapped_below_itself),
         cmocka_unit_test(parallel_work_is_done_once_each),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -78,6 +78,8 @@ static void test_refused_scenes(void **state)
 {
     (void)state;
     assert_refused(RUN(NULL, "render", "--scene", at("absent.json")), 2, "absent.json");
+    assert_refused(RUN(NULL, "render", "--compare", "shadows", "--device", "no such"), 1,
+                   "\"box\" has none");
     workspace_write(&work, "bad.json", "{\"meshes\": [], \"sun\": 1}");
     assert_refused(RUN(NULL, "render", "--scene", at("bad.json")), 2, "\"sun\"");
     workspace_write(&work, "far.json", "{\"meshes\": [{\"file\": \"absent.obj\"}]}");

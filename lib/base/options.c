@@ -9,14 +9,24 @@
 
 enum { HELP_WIDTH = 98, HELP_COLUMN = 30 };
 
+/* Where a line of the form "  NAME  what it is" goes on below itself: under what it is. */
+static int hanging(const char *line)
+{
+    size_t name = strspn(line, " ");
+    size_t end = name + strcspn(line + name, "\n");
+    const char *gap = name > 0 ? strstr(line + name, "  ") : NULL;
+    return gap && gap < line + end ? (int)(gap - line) + (int)strspn(gap, " ") : 0;
+}
+
 /* Text from a column on, its own line ends kept, longer lines broken at blanks. */
 static void print_wrapped(const char *text, int column)
 {
+    int hang = hanging(text), indent = 0;
     while (true) {
         int length = (int)strcspn(text, "\n");
         int part = length;
-        if (length > HELP_WIDTH - column) {
-            part = HELP_WIDTH - column;
+        if (length > HELP_WIDTH - column - indent) {
+            part = HELP_WIDTH - column - indent;
             while (part > 0 && text[part] != ' ')
                 part--;
             if (part == 0) /* one long word */
@@ -26,8 +36,13 @@ static void print_wrapped(const char *text, int column)
         text += part;
         if (*text == '\0')
             return;
-        text++; /* the blank or line end */
-        printf("%*s", column, "");
+        if (*text++ == '\n') { /* else a blank */
+            hang = hanging(text);
+            indent = 0;
+        } else {
+            indent = hang;
+        }
+        printf("%*s", column + indent, "");
     }
 }
 

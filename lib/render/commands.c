@@ -16,6 +16,6 @@ static int render_command(int argc, char **argv)
 #endif
 
 const base_command render_commands[] = {
-    {"render", "run the validation renderer on a scene", render_command},
+    {"render", "runs the validation renderer on a scene", render_command},
     {NULL, NULL, NULL},
 };

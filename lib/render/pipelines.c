@@ -8,6 +8,9 @@
 
 #include <string.h>
 
+#include "base/buffer.h"
+#include "base/text.h"
+
 const render_pipeline *const render_pipelines[] = {
     &exact_pipeline,
     &exact_unclipped_pipeline,
@@ -44,4 +47,30 @@ const render_pipeline *render_pipeline_find(const char *id)
         if (strcmp(render_pipelines[i]->id, id) == 0)
             return render_pipelines[i];
     return NULL;
+}
+
+const render_pipeline *render_pipeline_choose(const char *id)
+{
+    const render_pipeline *pipeline = render_pipeline_find(id);
+    if (pipeline)
+        return pipeline;
+    buffer known = {NULL, 0, 0};
+    for (int i = 0; render_pipelines[i]; i++)
+        buffer_print(&known, "%s%s", i ? ", " : "", render_pipelines[i]->id);
+    base_error("--pipeline: expected one of %s, found \"%s\"", known.text, id);
+    buffer_free(&known);
+    return NULL;
+}
+
+char *render_pipelines_help(const char *before)
+{
+    buffer text = {NULL, 0, 0};
+    buffer_add(&text, before);
+    buffer_add(&text, "\n\nPipelines; those marked * integrate lobes, by --method, and have a "
+                      "--profile:");
+    for (int i = 0; render_pipelines[i]; i++) {
+        const render_pipeline *p = render_pipelines[i];
+        buffer_print(&text, "\n  %-15s  %s%s", p->id, p->title, p->profile ? " *" : "");
+    }
+    return text.text;
 }

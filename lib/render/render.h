@@ -131,6 +131,11 @@ typedef struct render_pipeline {
 
 extern const render_pipeline *const render_pipelines[];      /* ends with NULL */
 const render_pipeline *render_pipeline_find(const char *id); /* NULL: unknown */
+/* The same; where it is unknown NULL after one line that lists all, about --pipeline. */
+const render_pipeline *render_pipeline_choose(const char *id);
+
+/* The text, and below it a line for each pipeline; malloc'ed. */
+char *render_pipelines_help(const char *before);
 
 /* Runs a list of steps frame->options.runs times and adds the median time of each name to the
  * statistics (steps of the same name count together), and what the shaders counted in one run. The

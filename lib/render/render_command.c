@@ -30,19 +30,6 @@ static const long not_given = LONG_MIN;
 
 /* ---- Arguments ----------------------------------------------------------------------- */
 
-static const render_pipeline *choose_pipeline(const char *id)
-{
-    const render_pipeline *pipeline = render_pipeline_find(id);
-    if (pipeline)
-        return pipeline;
-    buffer known = {NULL, 0, 0};
-    for (int i = 0; render_pipelines[i]; i++)
-        buffer_print(&known, "%s%s", i ? ", " : "", render_pipelines[i]->id);
-    base_error("--pipeline: expected one of %s, found \"%s\"", known.text, id);
-    buffer_free(&known);
-    return NULL;
-}
-
 /* WIDTHxHEIGHT, both from 1 to LARGEST_SIDE. */
 static bool read_size(const char *text, render_options *options)
 {
@@ -94,13 +81,16 @@ static int read_arguments(int argc, char **argv, settings *s)
          "description of the scene (default: the built-in box)", NULL},
         {"scene-dir", BASE_STRING, &s->scene_dir, "DIR",
          "where meshes are that are not beside the description (default: $SGFIT_SCENES)", NULL},
-        {"pipeline", BASE_STRING, &s->pipeline, "ID", "how to light it (default: hull)", NULL},
+        {"pipeline", BASE_STRING, &s->pipeline, "ID",
+         "how to light it, as listed above (default: hull)", NULL},
         {"size", BASE_STRING, &s->size, "WxH", "pixels (default: 1280x720)", NULL},
         {"compare", BASE_CHOICE, &s->compare, "exact|shadows",
          "compare with ground truth: of all lights without shadows, or of area lights with them",
          NULL},
         {"method", BASE_STRING, &s->method, "ID",
-         "integrate lobes by this method of the registry (default: standard)", NULL},
+         "integrate lobes by this method of the registry, where the pipeline has any (default: "
+         "standard)",
+         NULL},
         {"detailed-normals", BASE_FLAG, &s->detailed, NULL,
          "add strong procedural bumps to the shading normals", NULL},
         {"indirect", BASE_CHOICE, &s->indirect, "none|lpv",
@@ -109,7 +99,10 @@ static int read_arguments(int argc, char **argv, settings *s)
          "voxels along the volume's longest side (default: " DIGITS(LPV_USUAL_VOLUME) ")", NULL},
         {"steps", BASE_LONG, &s->steps, "N",
          "how often light moves on in the volume (default: 2 N)", NULL},
-        {"runs", BASE_LONG, &s->runs, "N", "times are medians of N runs (default: 1)", NULL},
+        {"runs", BASE_LONG, &s->runs, "N",
+         "times are medians of N runs after one that does not count (default: 1, which counts with "
+         "the driver's compiling)",
+         NULL},
         {"out", BASE_STRING, &s->out, "FILE.exr", "write linear radiance", NULL},
         {"layers", BASE_FLAG, &s->layers, NULL,
          "also the G-buffer, the light buffer and the truth, as channels of that file", NULL},
@@ -122,12 +115,15 @@ static int read_arguments(int argc, char **argv, settings *s)
         {"device", BASE_STRING, &s->device, "NAME",
          "part of the Vulkan device's name (default: llvmpipe, the software driver)", NULL},
     };
-    static const base_usage usage = {
-        "render", "[options]",
+    char *text = render_pipelines_help(
         "Renders a scene by one pipeline on a Vulkan device, counts what that took, and compares "
         "it with ground truth. Pictures are tone-mapped by Reinhard's curve, x (1 + x/16)/(1 + x), "
-        "with an exposure that depends on the scene and the view alone."};
-    return base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options, NULL);
+        "with an exposure that depends on the scene and the view alone.");
+    const base_usage usage = {"render", "[options]", text};
+    int status =
+        base_parse_options(argc, argv, &usage, options, sizeof options / sizeof *options, NULL);
+    free(text);
+    return status;
 }
 
 /* ---- Rendering ----------------------------------------------------------------------- */
@@ -243,6 +239,16 @@ static bool render(const settings *s, const render_options *options,
     return good;
 }
 
+/* Before the work, as the truth's own pipeline would refuse it after that. */
+static bool has_truth(const settings *s, const render_scene *scene)
+{
+    bool shadows = s->compare && render_pipeline_find(s->compare)->shadows;
+    if (shadows && scene->area_light_count == 0)
+        base_error("--compare shadows: shadows are those of area lights, and \"%s\" has none",
+                   scene->name);
+    return !shadows || scene->area_light_count > 0;
+}
+
 int render_command(int argc, char **argv)
 {
     settings s = {.pipeline = "hull",
@@ -256,7 +262,7 @@ int render_command(int argc, char **argv)
         return status;
     render_options options = {
         .method = s.method, .detailed_normals = s.detailed, .runs = (int)s.runs};
-    const render_pipeline *pipeline = choose_pipeline(s.pipeline);
+    const render_pipeline *pipeline = render_pipeline_choose(s.pipeline);
     const char *const paths[OUTPUT_PATHS] = {s.out, s.png, s.stats, s.profile, s.dump};
     if (!pipeline || !read_size(s.size, &options) || !read_indirect(&s, &options) ||
         !output_are_apart(paths))
@@ -286,7 +292,7 @@ int render_command(int argc, char **argv)
     free(standard);
     if (!read)
         return BASE_USAGE;
-    bool good = render(&s, &options, pipeline, &scene);
+    bool good = has_truth(&s, &scene) && render(&s, &options, pipeline, &scene);
     render_scene_free(&scene);
     return good ? BASE_DONE : BASE_FAILED;
 }
