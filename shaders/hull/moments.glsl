@@ -34,6 +34,26 @@ float fourth_order(Fourth sum, vec3 n)
     return dot(sum.a, h.a) + dot(sum.b, h.b) + sum.c * h.c;
 }
 
+// How much of order 6 light has, if it comes from one spot: what is left there of order 4, squared, is what a blur
+// leaves of it. diagonal: of M, the sum over the colours; axis: along the first moment; sum: of the colours' mean.
+float spot_of(vec3 diagonal, vec3 axis, Fourth sum)
+{
+    // M's trace is 3/4 of the integral over solid angle over pi; of order 4 a point has -3/32 of that
+    float full = 4.0 / 9.0 * (diagonal.x + diagonal.y + diagonal.z);
+    float kept = -32.0 / 3.0 * fourth_order(sum, axis * inversesqrt(max(dot(axis, axis), 1e-30)));
+    kept = clamp(kept / max(full, 1e-30), 0.0, 1.0);
+    return full * kept * kept;
+}
+
+// The irradiance of orders 6 and 8 of such a spot on a surface with normal n: 13/256 P6(x) - 17/512 P8(x), less of that.
+float higher_orders(float spot, vec3 axis, vec3 n)
+{
+    float along = dot(axis, n), s = along * along / max(dot(axis, axis), 1e-30);
+    float p6 = (((231.0 * s - 315.0) * s + 105.0) * s - 5.0) * (13.0 / 256.0 / 16.0);
+    float p8 = ((((6435.0 * s - 12012.0) * s + 6930.0) * s - 1260.0) * s + 35.0) * (17.0 / 512.0 / 128.0);
+    return spot * (p6 - 0.7 * p8);
+}
+
 // The colour of mean 1 of the light of which all that there is is given. Of a light seen edge-on
 // rounding may leave less than nothing.
 vec3 color_of(vec3 light)

@@ -5,7 +5,8 @@
 // what they miss at the vertex's own normal, G the gradient over position there and x_v the place
 // of the vertex. With half of the gradient in c, what is linear and quadratic between the vertices
 // comes out exactly, and the vertices need not lie where the quad wanted them. Order 4, which matters
-// for normals unlike the vertex's, is kept of the luminance and takes the colour of the rest.
+// for normals unlike the vertex's, is kept of the luminance and takes the colour of the rest; orders 6 and 8
+// are guessed from it (spot_of in moments.glsl).
 #ifndef VERTEX_GLSL
 #define VERTEX_GLSL
 
@@ -18,9 +19,15 @@ struct Vertex {
     vec4 place;               // x_v/2; c red
     vec4 gradient0;           // red; c green
     vec4 gradient1;           // green; c blue
-    vec4 gradient2;           // blue; w: 0
+    vec4 gradient2;           // blue; spot_of the mean of the colours
     vec4 fourth_a, fourth_b;  // Fourth, of the mean of the colours
 };
+
+// Along the radiance's first moment, over the colours.
+vec3 vertex_axis(Vertex v)
+{
+    return vec3(v.red1.zw + v.green1.zw + v.blue1.zw, v.b.x + v.b.y + v.b.z);
+}
 
 vec3 vertex_irradiance(Vertex v, vec3 x, vec3 n)
 {
@@ -31,7 +38,8 @@ vec3 vertex_irradiance(Vertex v, vec3 x, vec3 n)
         + v.b.xyz * n.z;
     vec3 color = color_of(vec3(v.red0.x + v.red0.y + v.red0.z, v.green0.x + v.green0.y + v.green0.z,
                                v.blue0.x + v.blue0.y + v.blue0.z));
-    moments += color * fourth_order(Fourth(v.fourth_a, v.fourth_b, v.b.w), n);
+    moments += color * (fourth_order(Fourth(v.fourth_a, v.fourth_b, v.b.w), n)
+                        + higher_orders(v.gradient2.w, vertex_axis(v), n));
     return moments + vec3(v.place.w, v.gradient0.w, v.gradient1.w)
         + vec3(dot(v.gradient0.xyz, d), dot(v.gradient1.xyz, d), dot(v.gradient2.xyz, d));
 }
@@ -52,6 +60,8 @@ void vertex_take(inout Vertex v, vec3 e, float far, Moments m, Fourth f)
 void vertex_finish(inout Vertex v, vec3 x)
 {
     v.place.xyz = 0.5 * x;
+    v.gradient2.w = spot_of(v.red0.xyz + v.green0.xyz + v.blue0.xyz, vertex_axis(v),
+                            Fourth(v.fourth_a, v.fourth_b, v.b.w));
 }
 
 // What the vertex misses of the irradiance at its own place and normal.

@@ -125,6 +125,8 @@ void main()
     gather(s, surface, done);
     [[unroll]] for (int k = 0; k < TOGETHER; k++)
         if (first + uint(k) < length) {
+            s[k].c.w = spot_of(s[k].red0.xyz + s[k].green0.xyz + s[k].blue0.xyz, sample_axis(s[k]),
+                               Fourth(s[k].fourth_a, s[k].fourth_b, s[k].b.w));
             s[k].c.xyz -= sample_irradiance(s[k], s[k].normal.xyz);
             samples[first + uint(k)] = s[k];
         }
