@@ -18,12 +18,6 @@
 
 enum { RUNS = 3 };
 
-/* What is measured of one method on one picture. */
-typedef struct outcome {
-    double ms, smape, smape_p99, largest; /* largest: error relative to the mean of the truth */
-    size_t black;                         /* pixels that are 0 or below where the truth is not */
-} outcome;
-
 typedef struct stage {
     const char *figure;
     render_frame frame;
@@ -117,47 +111,6 @@ static bool make_truth(stage *s)
 /* ---- A method's picture ------------------------------------------------------------------------
  */
 
-/* Symmetric mean absolute percentage error of a pixel's luminance, 0 to 1. */
-static double smape(const float *light, const float *truth)
-{
-    double a = 0.0, b = 0.0;
-    for (int c = 0; c < 3; c++) {
-        a += (double)light[c];
-        b += (double)truth[c];
-    }
-    if (!isfinite(a))
-        return 1.0;
-    double sum = fabs(a) + fabs(b);
-    return sum > 0.0 ? fabs(a - b) / sum : 0.0;
-}
-
-static outcome compare(const stage *s, float *errors)
-{
-    outcome o = {0};
-    double mean = 0.0, *sorted = base_allocate(pixels_of(s) * sizeof *sorted + 1);
-    size_t count = 0;
-    for (size_t i = 0; i < pixels_of(s); i++) {
-        const float *light = s->light + 4 * i, *truth = s->truth + 4 * i;
-        errors[i] = (float)smape(light, truth);
-        if (truth[3] == 0.0f)
-            continue;
-        sorted[count++] = (double)errors[i];
-        o.smape += (double)errors[i];
-        mean += (double)truth[1];
-        o.black += truth[1] > 0.0f && !(light[1] > 0.0f);
-        double off = fabs((double)light[1] - (double)truth[1]);
-        o.largest = isnan(off) ? (double)INFINITY : fmax(o.largest, off);
-    }
-    if (count) {
-        base_sort(sorted, count);
-        o.smape /= (double)count;
-        o.smape_p99 = sorted[(size_t)(0.99 * (double)(count - 1))];
-        o.largest /= mean / (double)count;
-    }
-    free(sorted);
-    return o;
-}
-
 static bool run_method(stage *s, const char *method, double *ms)
 {
     gpu_compute *compute;
@@ -218,7 +171,7 @@ static bool one_method(stage *s, const char *method, double empty, FILE *out)
     double ms = 0.0;
     bool good = run_method(s, method, &ms);
     if (good) {
-        outcome o = compare(s, errors);
+        lobe_outcome o = lobe_compare(s->frame.width, s->frame.height, s->light, s->truth, errors);
         const double numbers[] = {o.smape, o.smape_p99, o.largest, (double)o.black, ms / empty};
         char text[BASE_NUMBER_SIZE];
         fprintf(out, "%s,%s,%s", s->figure, method, sg_method_find(method)->variant);

@@ -20,4 +20,19 @@ int lobe_light_sharp(const render_scene *scene, lobe_light lights[LOBE_LIGHTS]);
  * farthest from it. Returns how many, at least 1. */
 int lobe_lights_of(render_frame *frame, lobe_light lights[LOBE_LIGHTS]);
 
+/* ---- scenes_lobe_errors.c -------------------------------------------------------------------- */
+
+/* What is measured of a picture. */
+typedef struct lobe_outcome {
+    double smape, smape_p99; /* mean and 99th percentile over the surfaces' pixels */
+    double largest;          /* error of green relative to its mean in the truth */
+    size_t black;            /* pixels that are 0 or below where the truth is not */
+} lobe_outcome;
+
+/* light, truth: 4 floats a pixel, the truth's last is 0 where there is no surface. errors: one a
+ * pixel: filled with the symmetric mean absolute percentage error, 0 to 1, below 0 where there is
+ * no surface. */
+lobe_outcome lobe_compare(size_t width, size_t height, const float *light, const float *truth,
+                          float *errors);
+
 #endif

@@ -11,7 +11,7 @@
 
 enum { MOST_PIPELINES = 32 };
 
-/* Without all, but those that take as long as ground truth. */
+/* Without all, but those that take as long as ground truth and are no rivals at equal time. */
 static void pipelines_of(bool all, const char *ids[MOST_PIPELINES])
 {
     static const char *const slow[] = {"exact_unclipped", "upsample_sh2"};
@@ -51,7 +51,7 @@ static bool one_scene(const scenes_plan *plan, const char *path, char *pictures,
             if (brief && detailed)
                 continue;
             bool shows = s == 0 && !detailed;
-            pipelines_of(shows, ids);
+            pipelines_of(shows && scenes_is_first_view(path), ids);
             scenes_view view = {.device = plan->device,
                                 .scene = &scene,
                                 .name = scene.name,
