@@ -9,6 +9,7 @@
 #include <cjson/cJSON.h>
 #include <cmocka.h>
 
+#include "base/file.h"
 #include "capture.h"
 #include "program.h"
 #include "sg.h"
@@ -77,6 +78,47 @@ static void every_command_refuses_unknown_options(void **state)
         assert_int_equal(r.status, 2);
         run_free(&r);
     }
+}
+
+/* Each line of the README that runs the program: its command and options are there, and so are the
+ * recipes that it names. */
+static void the_readme_runs_what_there_is(void **state)
+{
+    (void)state;
+    static const char program[] = "    build/sgfit ";
+    char *readme = base_join(getenv("SGFIT_ROOT"), "README.md"),
+         *text = base_read_file(readme, NULL);
+    assert_non_null(text);
+    int found = 0;
+    for (char *line = strtok(text, "\n"), *rest; line; line = strtok(NULL, "\n")) {
+        if (strncmp(line, program, strlen(program)) != 0)
+            continue;
+        line[strcspn(line, "#&|<>")] = '\0';
+        char *command = strtok_r(line + strlen(program), " ", &rest);
+        run help = RUN(NULL, command, "--help");
+        assert_int_equal(help.status, 0);
+        bool option = false;
+        for (char *word; (word = strtok_r(NULL, " ", &rest)) != NULL;) {
+            char shown[64];
+            snprintf(shown, sizeof shown, "\n  %s ", word);
+            bool is_option = word[0] == '-';
+            if (is_option && !strstr(help.out, shown))
+                fail_msg("README: %s has no %s", command, word);
+            if (!is_option && !option && strcmp(command, "fit") == 0) {
+                run list = RUN(NULL, "fit", "--list");
+                snprintf(shown, sizeof shown, "\n%s,", word);
+                if (!strstr(list.out, shown))
+                    fail_msg("README: there is no recipe %s", word);
+                run_free(&list);
+            }
+            option = is_option;
+        }
+        run_free(&help);
+        found++;
+    }
+    assert_true(found >= 11);
+    free(text);
+    free(readme);
 }
 
 static void a_wrong_command_is_one_line(void **state)
@@ -186,6 +228,7 @@ int main(void)
         cmocka_unit_test(help_lists_the_commands),
         cmocka_unit_test(every_command_has_help),
         cmocka_unit_test(every_command_refuses_unknown_options),
+        cmocka_unit_test(the_readme_runs_what_there_is),
         cmocka_unit_test(a_wrong_command_is_one_line),
         cmocka_unit_test(version_is_the_library_s),
         cmocka_unit_test(text_to_a_full_disk_is_a_failure),
