@@ -30,7 +30,7 @@ static void points_are_those_of_the_image(void **state)
     float *points;
     size_t count;
     check(hull_lobe_pipeline.profile(&frame, hull_state, &points, &count));
-    assert_true(count > PIXELS / 2 && count <= 5 * PIXELS);
+    assert_true(count > PIXELS / 2 && count <= HULL_LOBE_COUNT * PIXELS);
     for (size_t i = 0; i < count; i++) {
         double lambda = (double)points[3 * i], cos_theta = (double)points[3 * i + 1];
         double flux = sqrt((double)points[3 * i + 2]);

@@ -66,7 +66,8 @@ static void spliced_texts_compile_for_every_method(void **state)
         check_method(path, "standard");
         gpu_shader shader;
         assert_int_equal(render_shader_method(path, NULL, &shader), GPU_OK);
-        bool integrates = strstr(shader.source, "SG_METHOD_A_h(") != NULL;
+        bool integrates = strstr(shader.source, "SG_METHOD_A_h(") != NULL ||
+                          strstr(shader.source, "SG_METHOD_L(") != NULL;
         free((char *)shader.source);
         for (size_t m = 0; integrates && m < sg_method_count(); m++)
             check_method(path, sg_method_at(m)->id);
@@ -79,7 +80,8 @@ static void the_method_reaches_the_text(void **state)
     (void)state;
     gpu_shader shader;
     assert_int_equal(render_shader_method("resolve/resolve.comp", "of_nobody", &shader), GPU_OK);
-    const char *line = strstr(shader.source, "#define SG_METHOD_A_h sg_A_h_of_nobody\n");
+    const char *line = strstr(shader.source, "#define SG_METHOD_A_h sg_A_h_of_nobody\n"
+                                             "#define SG_METHOD_L sg_L_of_nobody\n");
     assert_non_null(line);
     assert_ptr_equal(strchr(shader.source, '\n') + 1, line);
     free((char *)shader.source);

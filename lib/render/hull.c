@@ -20,8 +20,8 @@ const hull_settings hull_lobe_standard = {
     .link_plane = 0.04F,
     .link_cosine = 0.5F,
     .split = 0.09F,
-    .tau = 0.2F,
-    .tau_width = 3,
+    .tau = 0.15F,
+    .tau_width = 5,
     .near_pixels = 16,
     .merge = 0.002F,
 };
@@ -58,9 +58,10 @@ static gpu_status create_passes(render_frame *frame, hull *h)
     static const hull_pass moments[] = {HULL_LINKS,       HULL_COMPONENTS, HULL_CLAIM, HULL_GATHER,
                                         HULL_GATHER_EVEN, HULL_SPLIT,      HULL_PART,  HULL_SHARE,
                                         HULL_BLEND,       HULL_EMIT,       HULL_PASSES};
-    static const hull_pass lobes[] = {
-        HULL_LINKS, HULL_COMPONENTS, HULL_CLAIM,       HULL_GATHER_LOBES, HULL_SPLIT_LOBES,
-        HULL_PART,  HULL_SHARE,      HULL_BLEND_LOBES, HULL_EMIT,         HULL_PASSES};
+    static const hull_pass lobes[] = {HULL_LINKS,        HULL_COMPONENTS, HULL_CLAIM,
+                                      HULL_GATHER_LOBES, HULL_FIT_LOBES,  HULL_SPLIT_LOBES,
+                                      HULL_PART,         HULL_SHARE,      HULL_BLEND_LOBES,
+                                      HULL_EMIT,         HULL_PASSES};
     const hull_pass upsample[] = {HULL_BOUNDS, h->push.tau > 0 ? HULL_GATHER_FAR : HULL_GATHER_ALL,
                                   HULL_UPSAMPLE_FAR, HULL_PASSES};
     gpu_status status = create_list(frame, h, shared);
@@ -139,7 +140,8 @@ static void add_hull(hull_list *l)
     const hull *h = l->h;
     bool lobes = h->kind == HULL_LOBES;
     hull_add_fill(l, "reset", HULL_B_MAP, 0);
-    hull_add_fill(l, "reset", HULL_B_EVEN_MAP, 0);
+    if (h->push.has_even) /* else no quad asks for it */
+        hull_add_fill(l, "reset", HULL_B_EVEN_MAP, 0);
     hull_add_groups(l, "links", HULL_LINKS, (h->tiles * (HULL_TILE / HULL_ROWS) + 63) / 64);
     hull_add_groups(l, "components", HULL_COMPONENTS, (h->tiles + 7) / 8);
     add_near_lists(l);
@@ -149,7 +151,9 @@ static void add_hull(hull_list *l)
         hull_add(l, "next", HULL_NEXT, level);
         hull_add_indirect(l, "gather", lobes ? HULL_GATHER_LOBES : HULL_GATHER, level,
                           HULL_GATHER_GROUPS);
-        if (!lobes)
+        if (lobes)
+            hull_add_indirect(l, "fit", HULL_FIT_LOBES, level, HULL_GATHER_GROUPS);
+        else
             hull_add_indirect(l, "gather", HULL_GATHER_EVEN, level, HULL_EVEN_GROUPS);
         if (level > 0) {
             hull_add_indirect(l, "blend", HULL_SHARE, level, HULL_CLAIM_GROUPS);

@@ -17,7 +17,8 @@ enum {
     HULL_VERTEX_BYTES = 13 * 16,
     HULL_QUAD_BYTES = 3 * 16,
     HULL_SAMPLE_BYTES = 12 * 16,
-    HULL_MEAN_ROWS = 9 /* of 32 samples */
+    HULL_LOBE_COUNT = 6, /* of a vertex, LOBES of shaders/hull/vertex_lobe.glsl */
+    HULL_MEAN_ROWS = 9   /* of 32 samples */
 };
 
 /* How the far light is brought to the pixels. */

@@ -60,6 +60,7 @@ gpu_status hull_create_buffers(render_frame *frame, hull *h, const hull_settings
         [HULL_B_EVEN_MAP] = 4 * pixels,
         [HULL_B_VERTEX_PIXELS] = 4 * vertices,
         [HULL_B_VERTICES] = HULL_VERTEX_BYTES * vertices,
+        [HULL_B_TILTED] = h->kind == HULL_LOBES ? 16 * vertices : 0,
         [HULL_B_SHARES] = 4 * vertices,
         [HULL_B_QUADS] = HULL_QUAD_BYTES * quads,
         [HULL_B_LEAVES] = 4 * quads,
@@ -81,7 +82,7 @@ gpu_status hull_create_buffers(render_frame *frame, hull *h, const hull_settings
         [HULL_B_FAR_SAMPLES] = true, [HULL_B_TREE] = true,
     };
     for (int i = 0; i < HULL_BUFFERS; i++) {
-        if (h->kind == HULL_UPSAMPLE && !upsamples[i])
+        if (bytes[i] == 0 || (h->kind == HULL_UPSAMPLE && !upsamples[i]))
             continue;
         gpu_status status = gpu_buffer_create(frame->device, bytes[i], &h->buffers[i]);
         if (status != GPU_OK)

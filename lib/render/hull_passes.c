@@ -70,7 +70,10 @@ static const pass_layout layouts[HULL_PASSES] = {
                     HULL_B_NEAR_LISTS, HULL_B_NEAR_BLOCKS, END}},
     [HULL_GATHER_LOBES] = {"hull/gather_lobe.comp",
                            {VIEW, TREE_IMAGE, COUNTERS, HULL_B_CONTROL, POSITION, NORMAL,
-                            HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, END}},
+                            HULL_B_VERTEX_PIXELS, HULL_B_VERTICES, HULL_B_TILTED, END}},
+    [HULL_FIT_LOBES] = {"hull/fit_lobe.comp",
+                        {VIEW, HULL_B_CONTROL, NORMAL, HULL_B_VERTEX_PIXELS, HULL_B_VERTICES,
+                         HULL_B_TILTED, END}},
     [HULL_SPLIT_LOBES] = {"hull/split_lobe.comp",
                           {VIEW, HULL_B_CONTROL, HULL_B_LINKS, HULL_B_MASKS, HULL_B_MAP,
                            HULL_B_EVEN_MAP, HULL_B_QUADS, HULL_B_VERTICES, POSITION, NORMAL, END}},
@@ -140,7 +143,7 @@ gpu_status hull_create_pass(render_frame *frame, hull *h, hull_pass pass)
     gpu_binding bindings[GPU_MAX_BINDINGS];
     int count = binding_kinds(&layouts[pass], bindings);
     bool none = pass == HULL_MEAN_SUM || pass == HULL_TREE_IMAGE;
-    bool method = pass == HULL_GATHER_LOBES || pass == HULL_SPLIT_LOBES;
+    bool method = pass == HULL_GATHER_LOBES || pass == HULL_FIT_LOBES || pass == HULL_SPLIT_LOBES;
     return render_compute(frame, layouts[pass].shader, method, bindings, count,
                           none ? 0 : sizeof(hull_push), &h->passes[pass]);
 }
@@ -207,7 +210,6 @@ gpu_status hull_create_draw(render_frame *frame, hull *h)
 /* What the last run drew, of the kind HULL_LOBES, once for each of a vertex's lobes. */
 gpu_status hull_profile(render_frame *frame, void *state, float **points, size_t *count)
 {
-    enum { LOBES = 5 }; /* as in vertex_lobe.glsl */
     gpu_draw_options options;
     draw_options(true, &options);
     options.name = "hull/profile";
@@ -217,7 +219,7 @@ gpu_status hull_profile(render_frame *frame, void *state, float **points, size_t
     gpu_status status = gpu_draw_create(frame->device, &options, &step.draw);
     if (status != GPU_OK)
         return status;
-    status = profile_draw(frame, step, LOBES, points, count);
+    status = profile_draw(frame, step, HULL_LOBE_COUNT, points, count);
     gpu_draw_destroy(step.draw);
     return status;
 }

@@ -59,6 +59,7 @@ typedef enum hull_pass {
     HULL_NEAR,
     HULL_EXACT,
     HULL_GATHER_LOBES,
+    HULL_FIT_LOBES,
     HULL_SPLIT_LOBES,
     HULL_BLEND_LOBES,
     HULL_BOUNDS,
@@ -80,6 +81,7 @@ typedef enum hull_buffer {
     HULL_B_EVEN_MAP,   /* the same */
     HULL_B_VERTEX_PIXELS,
     HULL_B_VERTICES,
+    HULL_B_TILTED, /* 16 bytes a vertex of lobes */
     HULL_B_SHARES, /* a word a vertex */
     HULL_B_QUADS,  /* HULL_QUAD_BYTES each */
     HULL_B_LEAVES,

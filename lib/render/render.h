@@ -166,7 +166,8 @@ gpu_status render_compute(render_frame *frame, const char *path, bool method,
 gpu_shader render_shader(const char *path);
 
 /* The same as text with its includes spliced in, to be compiled when its pipeline is made, with
- * SG_METHOD_A_h (see common/method.glsl) set to sg_A_h_METHOD; NULL: "standard". free() source. */
+ * SG_METHOD_A_h and SG_METHOD_L (see common/method.glsl) set to sg_A_h_METHOD and sg_L_METHOD;
+ * NULL: "standard". free() source. */
 gpu_status render_shader_method(const char *path, const char *method, gpu_shader *shader);
 
 #endif

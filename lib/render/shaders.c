@@ -90,9 +90,11 @@ gpu_status render_shader_method(const char *path, const char *method, gpu_shader
     int file = find(path, strlen(path));
     if (file < 0)
         return gpu_fail(GPU_BAD_SHADER, "%s: there is no such shader", path);
-    char define[128];
-    int length = snprintf(define, sizeof define, "#define SG_METHOD_A_h sg_A_h_%s\n",
-                          method ? method : "standard");
+    char define[192];
+    const char *name = method ? method : "standard";
+    int length =
+        snprintf(define, sizeof define,
+                 "#define SG_METHOD_A_h sg_A_h_%s\n#define SG_METHOD_L sg_L_%s\n", name, name);
     if (length < 0 || length >= (int)sizeof define)
         return gpu_fail(GPU_BAD_SHADER, "%s: the method's name is too long", path);
     buffer spliced = {NULL, 0, 0};

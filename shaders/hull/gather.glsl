@@ -12,6 +12,7 @@
 #include "../common/form_factor.glsl"
 #include "moments.glsl"
 #include "vertex_kind.glsl"
+#include "tilted.glsl"
 
 layout(local_size_x = 16) in; // with TOGETHER 64 vertices
 
@@ -25,6 +26,12 @@ layout(set = 0, binding = 7, std430) writeonly buffer Vertices
 {
     Vertex vertices[];
 };
+#ifdef VERTEX_LOBES
+layout(set = 0, binding = 8, std430) writeonly buffer Tilted
+{
+    vec4 tilted[]; // see fit_lobe.comp
+};
+#endif
 
 // The vertices of this level: which of the list.
 #ifdef VERTEX_EVEN
@@ -57,21 +64,21 @@ void main()
     uint first = GATHER_FIRST + TOGETHER * gl_GlobalInvocationID.x, done = 0u;
     Seeker seekers[TOGETHER];
     vec3 normals[TOGETHER], exact[TOGETHER];
+    vec4 tilt[TOGETHER]; // with VERTEX_LOBES alone
     Vertex v[TOGETHER];
     [[unroll]] for (int k = 0; k < TOGETHER; k++) {
         bool inside = first + uint(k) < GATHER_END;
         ivec2 pixel = unpack_pixel(inside ? vertex_pixels[GATHER_SLOT(first + uint(k))] : 0u);
         vec4 place = texelFetch(position_image, pixel, 0);
         uvec2 packed = texelFetch(normal_image, pixel, 0).xy;
-        vec3 n = unpack_normal(packed.x);
-#ifndef VERTEX_EVEN
-        // what holds at a bump's own normal says nothing about its neighbours
-        vec3 face = unpack_normal(packed.y);
-        n = dot(n, face) > 0.97 ? n : face;
+#ifdef VERTEX_EVEN
+        normals[k] = unpack_normal(packed.x);
+#else
+        normals[k] = vertex_normal(packed);
 #endif
-        normals[k] = n;
         seekers[k] = Seeker(place.xyz, place.w, inside ? 0u : nodes_end);
         exact[k] = vec3(0.0);
+        tilt[k] = vec4(0.0);
         v[k] = vertex_zero();
     }
     // lavapipe ends a loop one round after its last invocation, unless the test comes last
@@ -87,9 +94,12 @@ void main()
                     [[unroll]] for (int k = 0; k < TOGETHER; k++) {
                         FarLight s = far_light(l, seekers[k].x, normals[k]);
                         bool own = is_found_for(found_far[i], k);
+                        vec3 own_e = own ? e : vec3(0.0);
                         done += own ? 1u : 0u;
-                        take(v[k], exact[k], own ? e : vec3(0.0), 1.0, s.form_factor, s.gradient, s.moments,
-                             s.fourth);
+                        take(v[k], exact[k], own_e, 1.0, s.form_factor, s.gradient, s.moments, s.fourth);
+#ifdef VERTEX_LOBES
+                        tilt[k] += (own_e.r + own_e.g + own_e.b) / 3.0 * tilted_far(l, seekers[k].x, normals[k], s.moments);
+#endif
                     }
                 } while (++i < found_far_count);
             i = 0u;
@@ -105,10 +115,13 @@ void main()
                         far = dot(x - l.a.xyz, l.plane.xyz) < light_closest ? 0.0 : far;
                         float f = form_factor(l, x, normals[k]);
                         FarLight s = far_light(l, x, normals[k]);
-                        bool own = is_found_for(found_near[i], k);
-                        done += own ? 1u : 0u;
-                        take(v[k], exact[k], own ? e : vec3(0.0), far, f,
-                             far * s.gradient - f * window_gradient, light_moments(l, x), s.fourth);
+                        Moments m = light_moments(l, x);
+                        vec3 own_e = is_found_for(found_near[i], k) ? e : vec3(0.0);
+                        done += is_found_for(found_near[i], k) ? 1u : 0u;
+                        take(v[k], exact[k], own_e, far, f, far * s.gradient - f * window_gradient, m, s.fourth);
+#ifdef VERTEX_LOBES
+                        tilt[k] += (own_e.r + own_e.g + own_e.b) / 3.0 * far * tilted_near(l, x, normals[k]);
+#endif
                     }
                 } while (++i < found_near_count);
         } while (at < nodes_end);
@@ -117,6 +130,9 @@ void main()
             vertex_finish(v[k], seekers[k].x);
             vertex_local(v[k], exact[k] - vertex_irradiance(v[k], seekers[k].x, normals[k]));
             vertices[GATHER_SLOT(first + uint(k))] = v[k];
+#ifdef VERTEX_LOBES
+            tilted[GATHER_SLOT(first + uint(k))] = tilt[k];
+#endif
         }
     counter_add_group(COUNT_EVALUATIONS, done);
 }

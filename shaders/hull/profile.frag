@@ -14,8 +14,9 @@ layout(push_constant) uniform Push
 
 vec4 profile_point(Vertex v, vec3 n)
 {
-    float flux = dot(v.flux[lobe].rgb, vec3(0.2126, 0.7152, 0.0722));
-    return vec4(lobe_arguments(v, lobe, n), flux * flux, 1.0);
+    vec3 flux = lobe_flux(v, lobe);
+    float luminance = dot(flux, vec3(0.2126, 0.7152, 0.0722));
+    return vec4(lobe_arguments(v.first[lobe].xyz, flux, n), luminance * luminance, 1.0);
 }
 
 #include "hull_frag.glsl"

@@ -45,9 +45,7 @@ vec2 split_errors(Quad q)
 {
     ivec2 pixel = unpack_pixel(q.centre);
     vec3 x = texelFetch(position_image, pixel, 0).xyz;
-    uvec2 normals = texelFetch(normal_image, pixel, 0).xy;
-    vec3 n = unpack_normal(normals.x), face = unpack_normal(normals.y);
-    n = dot(n, face) > 0.97 ? n : face;
+    vec3 n = vertex_normal(texelFetch(normal_image, pixel, 0).xy);
     Vertex middle = vertex_zero(), diagonal = vertex_zero();
     for (int i = 0; i < 4; i++) {
         Vertex corner = vertices[vertex_slot(q.corners[i], is_even(q))];
