@@ -99,6 +99,33 @@ static inline double dot(const float a[3], const float b[3])
     return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
 }
 
+/* Form factor of a light at a pixel, without shadow, by a grid of points on it. */
+static inline double form_factor(const fixture *f, const render_area_light *light, uint32_t x,
+                                 uint32_t y)
+{
+    enum { SIDE = 40 };
+    size_t at = (size_t)y * f->frame.width + x;
+    double n[3], sum = 0;
+    shadows_normal(light, n);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double to[3], square = 0, facing = 0, above = 0;
+        shadows_point(light, (i % SIDE + 0.5) / SIDE, (i / SIDE + 0.5) / SIDE, to);
+        for (int k = 0; k < 3; k++) {
+            double d = to[k] - (double)f->position[4 * at + (size_t)k];
+            square += d * d;
+            facing -= d * n[k]; /* n: as long as the light has area */
+            above += d * (double)f->normal[at][k];
+        }
+        sum += fmax(facing, 0) * fmax(above, 0) / (square * square);
+    }
+    return sum / (SIDE * SIDE * 3.14159265358979323846);
+}
+
+static inline double exitance(const render_area_light *light)
+{
+    return (light->exitance[0] + light->exitance[1] + light->exitance[2]) / 3;
+}
+
 /* ---- Fragments ----------------------------------------------------------------------- */
 
 enum { STATE_NOTHING, STATE_FINAL, STATE_SAMPLE, STATE_PART, STATE_DARK, STATE_SHARED };
@@ -141,6 +168,14 @@ static inline int ascending(const void *a, const void *b)
 {
     uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
     return (x > y) - (x < y);
+}
+
+/* The mean that mean.comp left. */
+static inline double mean_of(const multires *m)
+{
+    float mean;
+    memcpy(&mean, (const uint32_t *)gpu_buffer_map(m->work) + 4 * RENDER_LEVELS, sizeof mean);
+    return (double)mean;
 }
 
 /* malloc'ed, in ascending order */

@@ -35,45 +35,12 @@ static uint32_t see(const fixture *f, const embree_scene *embree, const render_a
     return bits;
 }
 
-/* Form factor of a light at a pixel, without shadow, by a grid of points on it. */
-static double form_factor(const fixture *f, const render_area_light *light, uint32_t x, uint32_t y)
-{
-    enum { SIDE = 40 };
-    size_t at = (size_t)y * f->frame.width + x;
-    double n[3], sum = 0;
-    shadows_normal(light, n);
-    for (int i = 0; i < SIDE * SIDE; i++) {
-        double to[3], square = 0, facing = 0, above = 0;
-        shadows_point(light, (i % SIDE + 0.5) / SIDE, (i / SIDE + 0.5) / SIDE, to);
-        for (int k = 0; k < 3; k++) {
-            double d = to[k] - (double)f->position[4 * at + (size_t)k];
-            square += d * d;
-            facing -= d * n[k]; /* n: as long as the light has area */
-            above += d * (double)f->normal[at][k];
-        }
-        sum += fmax(facing, 0) * fmax(above, 0) / (square * square);
-    }
-    return sum / (SIDE * SIDE * 3.14159265358979323846);
-}
-
-static double exitance(const render_area_light *light)
-{
-    return (light->exitance[0] + light->exitance[1] + light->exitance[2]) / 3;
-}
-
-/* The mean that mean.comp left. */
-static double mean_of(const multires *m)
-{
-    float mean;
-    memcpy(&mean, (const uint32_t *)gpu_buffer_map(m->work) + 4 * RENDER_LEVELS, sizeof mean);
-    return (double)mean;
-}
-
 static const uint32_t round_the[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 typedef struct looked {
     uint32_t any[4], all[4], corners[4]; /* of the four sets of points */
     double worth;
+    bool dark; /* nothing of it was seen in the first round */
 } looked;
 
 static int ones(uint32_t bits)
@@ -81,8 +48,14 @@ static int ones(uint32_t bits)
     return __builtin_popcount(bits);
 }
 
+/* What may differ, of what may where the irradiance is the image's mean. */
+static double allowance(double local)
+{
+    return fmin((0.02 + local) / 1.02, 1);
+}
+
 /* A light in the second round, see sub.glsl: what differs. */
-static double differs_again(const looked *l, bool dark, double tolerance)
+static double differs_again(const looked *l, double tolerance)
 {
     int differ = 0, more = 0;
     bool lit = false, bright = l->worth > 0.3;
@@ -91,9 +64,18 @@ static double differs_again(const looked *l, bool dark, double tolerance)
         more += ones(l->corners[i]) - ones(l->any[i]);
         lit = lit || l->corners[i];
     }
-    if (dark)
+    if (l->dark)
         return lit ? 1e9 : 0;
     return bright ? differ * l->worth / 32 : abs(more) * l->worth > 64 * tolerance ? 1e9 : 0;
+}
+
+/* From one of the four, over the image's mean irradiance. */
+static double worth_at(const fixture *f, double mean, const render_area_light *light, uint32_t x,
+                       uint32_t y, int i)
+{
+    return exitance(light) / mean *
+           form_factor(f, light, 16 * x + 8 * round_the[i][0] + 4,
+                       16 * y + 8 * round_the[i][1] + 4);
 }
 
 /* What a fragment of level 4 sees of a light. */
@@ -102,9 +84,7 @@ static looked look(const fixture *f, const embree_scene *embree, double mean,
 {
     looked l = {.worth = 0};
     for (int i = 0; i < 4; i++)
-        l.worth = fmax(l.worth, exitance(light) / mean *
-                                    form_factor(f, light, 16 * x + 8 * round_the[i][0] + 4,
-                                                16 * y + 8 * round_the[i][1] + 4));
+        l.worth = fmax(l.worth, worth_at(f, mean, light, x, y, i));
     for (int set = 0; set < 4; set++) {
         l.all[set] = 0xffff;
         for (int i = 0; i < 4; i++) {
@@ -126,20 +106,26 @@ static int expect_children(const fixture *f, const embree_scene *embree, double 
                            uint32_t entry, uint32_t children[16])
 {
     uint32_t x = entry & 0x3fff, y = entry >> 14 & 0x3fff, twice = 0;
-    double differ = 0, again = 0, tolerance = (double)multires_default.tolerance / 3;
+    double differ = 0, again = 0, local = 0, tolerance = (double)multires_default.tolerance / 3;
+    looked found[8];
     for (size_t l = 0; l < f->scene.area_light_count; l++) {
         uint32_t bits[4], all = 0xffff, any = 0;
-        looked found = look(f, embree, mean, &f->scene.area_lights[l], x, y, bits);
+        const render_area_light *light = &f->scene.area_lights[l];
+        found[l] = look(f, embree, mean, light, x, y, bits);
         for (int i = 0; i < 4; i++) {
             int gradient = abs(ones(bits[i]) - ones(bits[(i + 1) % 4]));
             all &= bits[i];
             any |= bits[i];
-            if (gradient > 4 && gradient * found.worth > 16 * tolerance)
+            if (gradient > 4 && gradient * found[l].worth > 16 * tolerance)
                 twice |= 1u << i | 1u << ((i + 1) % 4);
+            local += ones(bits[i]) * worth_at(f, mean, light, x, y, i) / 64;
         }
-        differ += ones(any & ~all) * found.worth / 16;
-        again += differs_again(&found, !any, tolerance);
+        differ += ones(any & ~all) * found[l].worth / 16;
+        found[l].dark = !any;
     }
+    tolerance *= allowance(local);
+    for (size_t l = 0; l < f->scene.area_light_count; l++)
+        again += differs_again(&found[l], tolerance);
     int count = 0;
     for (uint32_t i = 0; differ + again > tolerance && i < 4; i++) {
         uint32_t sx = 2 * x + round_the[i][0], sy = 2 * y + round_the[i][1];

@@ -118,15 +118,15 @@ static void widen_around(const full_run *r, const fixture *f, int radius, int x,
         }
 }
 
-/* Every pixel is copied from a small fragment, or bounded by what is known about a large one, or
- * around one that shares its half shadow. */
+/* Every pixel is copied, or bounded by what is known about a large fragment, or around one of 4
+ * pixels or one that shares its half shadow, which are made smooth. */
 static void upsampled_values_are_bounded(void **state)
 {
     (void)state;
     fixture f;
     fixture_open(&f, "box_area", WIDTH, HEIGHT);
     full_run r = run_all(&f);
-    int copied = 0, between = 0, shared = 0;
+    int copied = 0, between = 0, shared = 0, smoothed = 0;
     for (uint32_t y = 0; y < HEIGHT; y++)
         for (uint32_t x = 0; x < WIDTH; x++) {
             const float *light = r.light + 4 * (y * WIDTH + x), *value = NULL;
@@ -144,13 +144,15 @@ static void upsampled_values_are_bounded(void **state)
             bounds b = {{value[0], value[1], value[2]}, {value[0], value[1], value[2]}};
             if (s == STATE_FINAL && l > 2)
                 widen_large(&r, &f, l, x >> l, y >> l, &b);
-            if (s == STATE_SHARED)
+            bool part = s == STATE_PART && l == 1;
+            if (s == STATE_SHARED || part)
                 widen_around(&r, &f, 1 << l, (int)x, (int)y, &b);
-            copied += l < 2 && s != STATE_SHARED, between += l > 2, shared += s == STATE_SHARED;
+            copied += l == 0 && s != STATE_SHARED, between += l > 2, shared += s == STATE_SHARED;
+            smoothed += part && light[0] != value[0];
             for (int k = 0; k < 3; k++)
                 assert_true(light[k] >= b.low[k] * 0.99999F && light[k] <= b.high[k] * 1.00001F);
         }
-    assert_true(copied > 1000 && between > 1000 && shared > 200);
+    assert_true(copied > 1000 && between > 1000 && shared > 200 && smoothed > 200);
     close_run(&r);
     fixture_close(&f);
 }

@@ -8,7 +8,7 @@ enum { WORK_WORDS = 4 * (RENDER_LEVELS + 1) };
 
 const multires_settings multires_default = {.differing = 1,
                                             .steep = 4,
-                                            .tolerance = 0.04F,
+                                            .tolerance = 0.06F,
                                             .plane_limit = 1.5F,
                                             .normal_limit = 0.25F,
                                             .points = MULTIRES_BOTH,

@@ -39,7 +39,7 @@ layout(set = 0, binding = 11, std430) buffer Pyramid { float pyramid[]; };
 
 // Irradiance per fragment of every level; w: one of these.
 layout(set = 0, binding = 12, std430) buffer Illumination { vec4 illumination[]; };
-const float NOTHING = 0.0;
+const float NOTHING = 0.0; // x: what is estimated there, the mean of the channels; y: 1 if it is
 const float FINAL = 1.0;  // a fragment that is not refined
 const float SAMPLE = 2.0; // an additional sample, a pixel of a fragment of level 3 or 4
 const float PART = 3.0;   // a sub-fragment of a fragment that is not refined

@@ -25,7 +25,7 @@ void look(uint tile, uint tile_count)
     }
     trace_gave_up = trace_gave_up || i < lights_here;
     sum *= float(light_count) / float(max(lights_here, 1u));
-    if (tile < tile_count) // w: still NOTHING
+    if (tile < tile_count)
         illumination[fragment_index(TOP, at)] =
             vec4((sum.r + sum.g + sum.b) / 3.0, s.there ? 1.0 : 0.0, 0.0, NOTHING);
     counter_add_group(COUNT_EVALUATIONS, s.there ? lights_here : 0u);

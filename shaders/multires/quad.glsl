@@ -5,18 +5,22 @@
 #define QUAD_GLSL
 
 // The four do not share a light that is worth more where they are of several surfaces, or where it
-// is worth more over the steepest gradient between them plus one.
+// is worth more over the steepest gradient between them plus one, less in shadow.
 const float QUAD_EDGE = 0.25;
-const float QUAD_STEEP = 3.1;
-// A bit in 64 of a light that is worth more shows: all points are looked at.
+const float QUAD_STEEP = 3.95;
+const float QUAD_DIM = 0.3;
+// A bit in 64 of a light that is worth more shows: all points are looked at, even where the four
+// saw all of 64.
 const float QUAD_BRIGHT = 3.0;
 
-bool stands_alone(bool one_surface, Seen seen)
+bool stands_alone(bool one_surface, bool part, Seen seen, float local)
 {
+    if (!part)
+        return seen.any != uvec2(0u) && seen.worth > QUAD_BRIGHT;
     uint steepest = max(max(step_after(seen, 0u), step_after(seen, 1u)),
                         max(step_after(seen, 2u), step_after(seen, 3u)));
     return (!one_surface && seen.worth > QUAD_EDGE)
-           || float(steepest + 1u) * seen.worth > QUAD_STEEP;
+           || float(steepest + 1u) * seen.worth > QUAD_STEEP * allowance(local, QUAD_DIM);
 }
 
 // From this invocation's pixel: the set of 16, and where the pixel is alone twice what is beside a
@@ -47,7 +51,7 @@ void look_at_light(uint light, uint round, bool one_surface, Surface s, Surface 
             weights.y = weight;
             Seen seen = share_seen(weights, worth);
             part = compare(light, true, seen, sub.found);
-            alone = part && form > 0.0 && stands_alone(one_surface, seen);
+            alone = form > 0.0 && stands_alone(one_surface, part, seen, sub.local);
             at_all = !one_surface || worth > QUAD_BRIGHT;
             board = alone ? seen.any : board;
             weights = one_surface ? seen.together : weights;

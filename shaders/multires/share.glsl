@@ -40,6 +40,32 @@ Seen share_seen(vec2 weights, float worth)
     return seen;
 }
 
+// The mean irradiance, the mean of the channels, of those of the four that are there; in uniform
+// control flow.
+float share_light(vec3 light, bool there)
+{
+    uint mine = gl_LocalInvocationIndex, first = mine & ~3u;
+    barrier();
+    share_weights[mine].xy = vec2(there ? (light.r + light.g + light.b) / 3.0 : 0.0, there);
+    barrier();
+    vec2 sum = vec2(0.0);
+    for (uint i = 0u; i < 4u; i++)
+        sum += share_weights[first + i].xy;
+    return sum.x / max(sum.y, 1.0);
+}
+
+// What larger fragments around one of this level estimated, over the image's mean irradiance; 1
+// where none did.
+float local_estimate(uvec2 at)
+{
+    for (uint l = level + 1u; l <= TOP; l++) {
+        vec4 value = illumination[fragment_index(l, at >> (l - level))];
+        if (value.w == NOTHING && value.y > 0.0)
+            return over_mean(value.x);
+    }
+    return 1.0;
+}
+
 void keep_light(uint light, bool part, float form, vec2 weights, Surface s, inout Sub sub)
 {
     float whole = s.there ? form_after_test(light, s, form, weights.x, weights.y) : 0.0;

@@ -31,6 +31,7 @@ struct Sub {
     vec3 light;
     float half_light; // what lights in half shadow would give without
     bool own;         // it looked at all points of one of them
+    float local;      // irradiance around over the image's mean, nearly
 };
 
 #include "share.glsl"
@@ -43,7 +44,7 @@ struct Sub {
 void finish(uint entry, uvec2 at, bool taken, bool there, Sub sub)
 {
     uint mine = gl_LocalInvocationIndex, what = there ? SUB_THERE : 0u;
-    bool split = (entry & FORCED) != 0u || sub.found.differ > tolerance;
+    bool split = (entry & FORCED) != 0u || sub.found.differ > tolerance * allowance(sub.local, DIM);
     bool shares = points == POINTS_BOTH && !sub.own
                   && 2.0 * sub.half_light > sub.light.r + sub.light.g + sub.light.b;
     sub_light[mine] = vec4(sub.light, shares ? -sub.half_light : PART);
@@ -59,6 +60,18 @@ void finish(uint entry, uvec2 at, bool taken, bool there, Sub sub)
     }
 }
 
+// Only what the second round sees counts; what the first saw tells how bright it is here, to this
+// fragment and to those that it is split into.
+void start_again(uvec2 at, bool taken, bool there, inout Sub sub)
+{
+    float local = share_light(sub.light, there);
+    if (taken && (gl_LocalInvocationIndex & 3u) == 0u)
+        illumination[fragment_index(level, at)] = vec4(local, 1.0, 0.0, NOTHING);
+    sub.local = over_mean(local);
+    sub.light = vec3(0.0);
+    sub.half_light = 0.0;
+}
+
 void main()
 {
     uint mine = gl_LocalInvocationIndex, entry, rays = 0u;
@@ -69,21 +82,20 @@ void main()
     Surface s = surface_at(fragment_pixel(level - 1u, at * 2u + sub_at(mine & 3u)));
     bool there = s.there && taken, one_surface = taken && pyramid[pyramid_index(level, at)] <= 1.0;
     Surface corner = surface_at(ivec2((at << level) + ((1u << level) - 1u) * sub_at(mine & 3u)));
-    Sub sub = Sub(Found(0.0, 0u, 0u), vec3(0.0), 0.0, false);
+    Sub sub = Sub(Found(0.0, 0u, 0u), vec3(0.0), 0.0, false, taken ? local_estimate(at) : 1.0);
     if (first_light + first_round > 0u && taken) {
         uvec4 bits = kept[2u * slot + 1u];
         vec4 light = uintBitsToFloat(kept[2u * slot]);
-        sub = Sub(Found(uintBitsToFloat(bits.x), bits.y, bits.z), light.rgb, light.a, bits.w != 0u);
+        sub = Sub(Found(uintBitsToFloat(bits.x), bits.y, bits.z), light.rgb, light.a,
+                  bits.w >> 31 != 0u, abs(uintBitsToFloat(bits.w)));
     }
     s.there = there;
     corner.there = corner.there && taken;
     uint count = last_light - first_light, turns = count * (last_round - first_round), i = 0u;
     for (; i < turns; i++) {
         uint round = first_round + i / count, light = first_light + i % count;
-        if (round > 0u && light == 0u) { // only what the second round sees counts
-            sub.light = vec3(0.0);
-            sub.half_light = 0.0;
-        }
+        if (round > 0u && light == 0u)
+            start_again(at, taken, there, sub);
         look_at_light(light, round, one_surface, s, corner, sub, rays);
     }
     trace_gave_up = trace_gave_up || i < turns;
@@ -94,7 +106,8 @@ void main()
     } else if (taken) {
         kept[2u * slot] = floatBitsToUint(vec4(sub.light, sub.half_light));
         kept[2u * slot + 1u] = uvec4(floatBitsToUint(sub.found.differ), sub.found.twice,
-                                     sub.found.lit, sub.own ? 1u : 0u);
+                                     sub.found.lit,
+                                     floatBitsToUint(sub.own ? -sub.local : sub.local));
     }
     count_rays(rays);
 }

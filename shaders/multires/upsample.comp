@@ -1,10 +1,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // upsample.comp: single-pass upsampling by radial basis functions (3.1.5). Levels 0 to 2 are
-// copied; where four share what they see of a half shadow, smoothly. A pixel of a larger fragment
-// lies in a triangle of samples: the middle of the sub-fragment that it is in, and two neighbours
-// of the 3 x 3 places on a grid from the fragment's top left to the bottom right, the right and the
-// lower ones being samples of the fragments there.
+// copied; level 2, and where four share what they see of a half shadow, made smooth. A pixel of a
+// larger fragment lies in a triangle of samples: the middle of the sub-fragment that it is in, and
+// two neighbours of the 3 x 3 places on a grid from the fragment's top left to the bottom right, the
+// right and the lower ones being samples of the fragments there.
 #include "fragments.glsl"
 #include "radial.glsl"
 #include "smooth.glsl"
@@ -79,8 +79,8 @@ void main()
         vec3 n = unpack_normal(texelFetch(normal_image, pixel, 0).x);
         value.rgb = in_fragment(l, pixel, position, n);
     }
-    if (value.w < 0.0)
-        value.rgb = smooth_light(pixel, 1 << l, position, value);
+    if (value.w < 0.0 || (l == 1u && value.w == PART && points == POINTS_BOTH))
+        value.rgb = smooth_light(pixel, l, position, value);
     if (found)
         imageStore(light_image, pixel, vec4(value.rgb, 1.0));
 }

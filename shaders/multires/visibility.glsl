@@ -6,6 +6,16 @@
 
 const float BRIGHT = 0.3; // worth above which a light is looked at by all points
 
+// What may differ where the irradiance is `local` of the image's mean, in parts of what may differ
+// where it is the mean or more: pictures show ratios, and noise in shadow like noise in light. dim:
+// what counts as dark, over the mean.
+float allowance(float local, float dim)
+{
+    return min((dim + local) / (dim + 1.0), 1.0);
+}
+
+const float DIM = 0.02; // for what may differ in a fragment
+
 // Of the points on some squares, those that give a surface light. weight: of all of them together.
 uvec2 facing(uint light, Surface s, uvec2 squares, out float weight)
 {
@@ -34,12 +44,17 @@ vec2 weigh(uint light, Surface s, uvec2 board)
     return weights;
 }
 
+float over_mean(float value) // the image's mean irradiance
+{
+    float mean = uintBitsToFloat(work[MEAN].groups[0]);
+    return mean > 0.0 ? value / mean : value > 0.0 ? 1e9 : 0.0;
+}
+
 // What a light gives without shadow, the mean of the channels over the image's mean irradiance.
 float worth_of(uint light, float form)
 {
     vec3 open = areas[light].exitance.rgb * form;
-    float mean = uintBitsToFloat(work[MEAN].groups[0]), value = (open.r + open.g + open.b) / 3.0;
-    return mean > 0.0 ? value / mean : value > 0.0 ? 1e9 : 0.0;
+    return over_mean((open.r + open.g + open.b) / 3.0);
 }
 
 #endif
