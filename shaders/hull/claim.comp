@@ -48,18 +48,7 @@ layout(set = 0, binding = 10, std430) writeonly buffer Shares
 };
 
 #include "member.glsl"
-
-// The pixels of a component, to be lit exactly.
-void leave_to_exact(uint component)
-{
-    ivec2 tile = tile_origin(component);
-    for (uint y = 0u; y < uint(TILE); y++)
-        for (uint m = masks[component * uint(TILE) + y]; m != 0u; m &= m - 1u) {
-            uint slot = atomicAdd(exact_count, 1u) - 1u;
-            exact_pixels[slot] = (uint(tile.y) + y) * view.size.x + uint(tile.x + findLSB(m));
-            atomicMax(exact_groups[0], slot / 64u + 1u);
-        }
-}
+#include "leave.glsl"
 
 void main()
 {
@@ -70,7 +59,7 @@ void main()
     uint component = quads[index].component, corner = which - 1u;
     if (level == 0u && unpack_rank(quads[index].size) < least_rank) {
         if (which == 0u) {
-            leave_to_exact(component);
+            leave_to_exact(component, ivec2(0), ivec2(TILE));
             quads[index].component = NONE;
         }
         return;

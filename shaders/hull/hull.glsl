@@ -18,6 +18,7 @@ const int ONE_VERTEX = 8;         // components no longer than this have one ver
 const float FLAT = 0.05;          // with an error below this, of that which splits it, a quad does
 const uint FLAT_BIT = 0x8000u;    // without its centre; noted in its size
 const uint EVEN_BIT = 0x4000u;    // there as well: its component has one normal all over
+const uint EXACT_BIT = 0x10000000u; // there too: too small for parts, it errs too much: lit exactly
 const uint RANKS = 16u;           // by which is chosen what finds room, see share_room
 const uint NONE = 0xffffffffu;
 
@@ -44,7 +45,7 @@ layout(push_constant) uniform Push
 struct Quad {
     uint component; // NONE: lit exactly
     uint origin;   // x + y * 65536: its first pixel
-    uint size;     // width + 256 rank + height * 65536 + 2^24 (which of its four parts to make)
+    uint size;     // width + 256 rank + height * 65536 + 2^24 (which of its four parts to make), and bits
     uint centre;   // pixels, x + y * 65536
     uvec4 corners; // left top, right top, left bottom, right bottom
     uint parent;   // the quad that it is a part of; of level 0: nothing

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // part.comp: splits the quads of a level that split.glsl chose and that find room; the others are
-// leaves.
+// leaves, or lit exactly.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 #include "control.glsl"
@@ -16,6 +16,21 @@ layout(set = 0, binding = 3, std430) writeonly buffer Leaves
 {
     uint leaves[];
 };
+layout(set = 0, binding = 4, std430) readonly buffer Masks
+{
+    uint masks[];
+};
+layout(set = 0, binding = 5, std430) buffer Arguments
+{
+    uint exact_groups[3];
+    uint exact_count;
+};
+layout(set = 0, binding = 6, std430) writeonly buffer Exact
+{
+    uint exact_pixels[];
+};
+
+#include "leave.glsl"
 
 void main()
 {
@@ -27,8 +42,12 @@ void main()
     if (q.component == NONE)
         return;
     ivec2 size = unpack_size(q.size);
-    uint children = unpack_rank(q.size) < least_rank ? 0u : q.size >> 24;
+    uint children = unpack_rank(q.size) < least_rank ? 0u : q.size >> 24 & 0xfu;
     if (children == 0u) {
+        if ((q.size & EXACT_BIT) != 0u) {
+            leave_to_exact(q.component, unpack_pixel(q.origin) - tile_origin(q.component), size);
+            return;
+        }
         leaves[atomicAdd(leaf_count, 1u)] = index;
         return;
     }

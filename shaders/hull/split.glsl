@@ -1,6 +1,8 @@
 // split.glsl: which quads of a level are to be split: those whose corners do not predict their centre.
 // The error is that of four corners; with the centre a leaf keeps about a quarter of it. It is
-// also a quad's rank, should there be no room for the parts of all (part.comp).
+// also a quad's rank, should there be no room for the parts of all (part.comp). Along a wall seen
+// edge-on a quad of 4 pixels may be as long as a room, and all its light lie between its corners: what
+// errs much and is too small for parts is lit exactly.
 #include "../common/frame.glsl"
 #include "hull.glsl"
 #include "control.glsl"
@@ -39,6 +41,7 @@ layout(set = 0, binding = 9) uniform usampler2D normal_image;
 #include "member.glsl"
 
 const float STEEP = 1.0; // see change_across
+const float COARSE = 8.0; // error, of that which splits, from where on quads too small for parts are lit exactly
 
 // By the four corners; and by the two that two triangles have in common, see emit.comp.
 vec2 split_errors(Quad q)
@@ -102,7 +105,8 @@ void main()
         error = max(error, STEEP * change_across(q, true));
     quads[index].own = clamp(0.5 * error / max(most, 1e-30) - 0.5, 0.0, 1.0);
     uint children = 0u, rank = 0u;
-    if (level + 1u < LEVELS && error > most && size != first) { // else too small for parts
+    bool parts = level + 1u < LEVELS && size != first; // else too small for them
+    if (parts && error > most) {
         for (int i = 0; i < 4; i++) {
             ivec2 part = ivec2(i & 1, i >> 1), extent = part_size(size, part);
             if (all(greaterThan(extent, ivec2(0)))
@@ -116,5 +120,5 @@ void main()
         atomicAdd(wanted_vertices[rank], count == 4u ? 9u : 5u * count);
     }
     quads[index].size = pack_pixel(size) | (q.size & EVEN_BIT) | (max(error, errors.y) < FLAT * most ? FLAT_BIT : 0u) | rank << 8
-        | children << 24;
+        | children << 24 | (!parts && error > COARSE * most ? EXACT_BIT : 0u);
 }
