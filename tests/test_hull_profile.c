@@ -6,6 +6,17 @@
 
 enum { WIDTH = 96, HEIGHT = 64, PIXELS = WIDTH * HEIGHT };
 
+/* Pixels that no lobe was integrated for are none of the sum. */
+static void leave_out_those_lit_exactly(const hull *h, float light[4 * PIXELS])
+{
+    const uint32_t *arguments = gpu_buffer_map(h->buffers[HULL_B_ARGUMENTS]),
+                   *pixels = gpu_buffer_map(h->buffers[HULL_B_EXACT]);
+    uint32_t count = arguments[3] - 1; /* after three numbers of groups, 1 more than there are */
+    assert_true(count < PIXELS / 4);
+    for (uint32_t i = 0; i < count; i++)
+        memset(light + 4 * (size_t)pixels[i], 0, 4 * sizeof *light);
+}
+
 /* Without near lights the lobes, integrated by the reference, are the image's irradiance but for
  * what corrects them at the vertices, which is small and of either sign. */
 static void points_are_those_of_the_image(void **state)
@@ -23,6 +34,7 @@ static void points_are_those_of_the_image(void **state)
     check(hull_run(&frame, hull_state, &statistics));
     static float light[4 * PIXELS];
     check(gpu_image_read(frame.light, light));
+    leave_out_those_lit_exactly(hull_state, light);
     double expected = 0.0, found = 0.0;
     for (size_t i = 0; i < PIXELS; i++)
         expected += 0.2126 * (double)light[4 * i] + 0.7152 * (double)light[4 * i + 1] +
