@@ -3,6 +3,7 @@
 #define TEST_EMBREE_H
 
 #include <embree3/rtcore.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -61,6 +62,18 @@ static inline uint32_t embree_closest(const embree_scene *e, const float origin[
     rtcIntersect1(e->scene, &context, &hit);
     *at = hit.ray.tfar;
     return hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? UINT32_MAX : hit.hit.primID;
+}
+
+/* Nothing between two points, but for what the shaders skip (AREA_SKIPPED in
+ * shaders/shadows/area.glsl). */
+static inline bool embree_is_open(const embree_scene *e, const float origin[3], const float to[3])
+{
+    float from[3], along[3], at;
+    for (int k = 0; k < 3; k++) {
+        from[k] = origin[k] + 1e-4F * (to[k] - origin[k]);
+        along[k] = (1 - 1e-4F) * (to[k] - origin[k]);
+    }
+    return embree_closest(e, from, along, 1, &at) == UINT32_MAX;
 }
 
 #endif

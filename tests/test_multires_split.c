@@ -15,21 +15,20 @@ static uint32_t see(const fixture *f, const embree_scene *embree, const render_a
 {
     size_t at = (size_t)y * f->frame.width + x;
     const float *p = f->position + 4 * at;
-    float points[SHADOWS_POINTS][4], origin[3], reach;
+    float points[SHADOWS_POINTS][4], origin[3];
     double n[3];
     shadow_rays(f, light, at, points, n, origin);
     uint32_t bits = 0;
     for (int i = 0; i < 16; i++) {
         const float *to = points[16 * set + i];
-        float d[3], from[3];
+        float from[3];
         double facing = 0;
         for (int k = 0; k < 3; k++) {
-            d[k] = to[k] - origin[k];
             from[k] = to[k] - p[k];
             facing -= (double)from[k] * n[k];
         }
         bool counts = facing > 0 && dot(from, f->normal[at]) > 0 && dot(from, f->face[at]) > 0;
-        if (counts && embree_closest(embree, origin, d, 1, &reach) == UINT32_MAX)
+        if (counts && embree_is_open(embree, origin, to))
             bits |= 1u << i;
     }
     return bits;

@@ -80,12 +80,16 @@ float area_weight(uint light, uint point, Surface s)
     return dot(d, s.face) > 0.0 ? weight / (d2 * d2) : 0.0;
 }
 
+// Of a ray's length, that is not looked at: where two surfaces meet, a pixel of one may lie behind the other by
+// the rounding of its position, and would be dark for every light.
+const float AREA_SKIPPED = 1e-4;
+
 // Nothing between where rays of a surface begin and a point of a light; one ray, where it is wanted.
 // All invocations of a subgroup call it together.
 bool area_sees_from(uint light, uint point, vec3 origin, bool wanted)
 {
     vec3 d = area_points[AREA_POINTS * light + point].xyz - origin;
-    Ray ray = trace_ray(origin, d, wanted ? 1.0 : -1.0);
+    Ray ray = trace_ray(origin + AREA_SKIPPED * d, (1.0 - AREA_SKIPPED) * d, wanted ? 1.0 : -1.0);
     return trace_scene(ray, root, true) == TRACE_NONE && wanted;
 }
 
