@@ -26,7 +26,7 @@ bool scenes_is_first_view(const char *path)
            path[length - 1] > '9';
 }
 
-bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *count)
+static bool find_scenes(const scenes_plan *plan, bool area, char ***paths, size_t *count)
 {
     char *folder = base_join(base_source_root(), "tests/scenes");
     const char *begin = plan->only ? plan->only : plan->folder ? "" : "box";
@@ -42,13 +42,25 @@ bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *coun
     if (good)
         *count = kept;
     free(folder);
-    if (good && kept == 0 && !area) {
-        base_error("bench: expected --view to begin like a description in tests/scenes, found %s",
-                   begin);
+    return good;
+}
+
+static void tell_no_view(const scenes_plan *plan)
+{
+    base_error("bench: expected --view to begin like a description in tests/scenes, found %s",
+               plan->only ? plan->only : "none there");
+}
+
+bool scenes_list(const scenes_plan *plan, bool area, char ***paths, size_t *count)
+{
+    if (!find_scenes(plan, area, paths, count))
+        return false;
+    if (*count == 0 && !area) {
+        tell_no_view(plan);
         base_list_free(*paths, 0);
         return false;
     }
-    return good;
+    return true;
 }
 
 static bool of_scene(const scenes_plan *plan, const char *path, const char *name,
@@ -106,16 +118,20 @@ static bool folder_is_there(const char *folder)
 static bool scenes_are_there(const scenes_plan *plan)
 {
     bool good = true;
+    size_t all = 0;
     for (int area = 0; area < 2 && good; area++) {
         char **paths;
         size_t count;
-        if (!(good = scenes_list(plan, area, &paths, &count)))
-            break;
+        if (!find_scenes(plan, area, &paths, &count))
+            return false;
+        all += count;
         for (size_t i = 0; i < count && good; i++)
             good = render_scene_is_there(paths[i], plan->folder);
         base_list_free(paths, count);
     }
-    return good;
+    if (good && all == 0)
+        tell_no_view(plan);
+    return good && all > 0;
 }
 
 /* ---- Parts ------------------------------------------------------------------------------------
