@@ -12,10 +12,16 @@
 #include "scenes_area.h"
 #include "scenes_gallery.h"
 
-/* The rows, and the structural similarity of each. */
+/* Structural similarity of a picture. Pictures are seen in the order in which their runs end. */
+typedef struct similarity {
+    char scene[SCENES_NAME], pipeline[SCENES_NAME];
+    uint32_t width;
+    double ssim;
+} similarity;
+
 typedef struct measured {
     scenes_table table;
-    double *ssim;
+    similarity *ssim;
     size_t ssim_count;
     char *pictures; /* NULL: none of this view */
 } measured;
@@ -47,6 +53,17 @@ static const scenes_row *nichols_of(const scenes_table *table, const scenes_row 
     return row;
 }
 
+static double similarity_of(const measured *m, const scenes_row *row)
+{
+    for (size_t i = 0; i < m->ssim_count; i++) {
+        const similarity *s = &m->ssim[i];
+        if (strcmp(s->scene, row->scene) == 0 && s->width == row->width &&
+            strcmp(s->pipeline, row->pipeline) == 0)
+            return s->ssim;
+    }
+    return 1.0;
+}
+
 /* Of the passes that trace rays and refine. */
 static double visibility_ms(const render_statistics *s)
 {
@@ -73,7 +90,7 @@ static void write_row(FILE *out, const measured *m, size_t i)
                               row->error.p50,
                               row->error.p99,
                               row->error.bias,
-                              i < m->ssim_count ? m->ssim[i] : 1.0,
+                              similarity_of(m, row),
                               fragments,
                               100.0 * share(fragments, covered),
                               100.0 * share(fragments, theirs),
@@ -135,7 +152,11 @@ static bool look(void *context, render_frame *frame, const scenes_row *row, cons
 {
     measured *m = context;
     m->ssim = base_reallocate(m->ssim, (m->ssim_count + 1) * sizeof *m->ssim);
-    m->ssim[m->ssim_count++] = render_ssim(row->width, row->height, frame->gain, light, truth);
+    similarity *s = &m->ssim[m->ssim_count++];
+    snprintf(s->scene, sizeof s->scene, "%s", row->scene);
+    snprintf(s->pipeline, sizeof s->pipeline, "%s", row->pipeline);
+    s->width = row->width;
+    s->ssim = render_ssim(row->width, row->height, frame->gain, light, truth);
     return scenes_gallery(m->pictures, frame, row, light, truth, errors) &&
            fragment_map(m, frame, row);
 }
